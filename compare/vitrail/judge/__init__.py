@@ -1,0 +1,1 @@
+"""From two images and a scene to a verdict for each phenomenon; the records here are ``results.json``."""

@@ -1,0 +1,156 @@
+"""One number held against what it should be, and everything needed to believe the answer.
+
+These are the inner records of ``results.json`` (the outer ones are in ``records.py``): an observation has comparisons
+and profiles; a comparison has a value, an interval, a tolerance with its reasons, a verdict and, where it deviates,
+its cause. Lengths are metres, radiance W sr^-1 m^-2.
+"""
+
+from __future__ import annotations
+
+from enum import StrEnum
+from typing import Any, Literal
+
+from pydantic import BaseModel, ConfigDict, Field
+
+from vitrail.scene.phenomenon import Phenomenon
+
+
+class Record(BaseModel):
+    """Base of every record: immutable, finite, unknown keys refused, fields written as they are named."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
+
+
+class Verdict(StrEnum):
+    """What one comparison, observation, scene or run came to."""
+
+    AGREES = "agrees"
+    DEVIATES = "deviates"
+    INCONCLUSIVE = "inconclusive"
+
+
+class Pair(StrEnum):
+    """Who is held against whom: the first is the candidate, the second what it should equal."""
+
+    TRACER_POVRAY = "tracer-vs-povray"
+    TRACER_TRUTH = "tracer-vs-truth"
+    POVRAY_TRUTH = "povray-vs-truth"
+    TRACER_STORED = "tracer-vs-stored"
+    POVRAY_STORED = "povray-vs-stored"
+    CANDIDATE_REFERENCE = "candidate-vs-reference"
+    CANDIDATE_TRUTH = "candidate-vs-truth"
+    REFERENCE_TRUTH = "reference-vs-truth"
+
+    @property
+    def candidate(self) -> str:
+        return self.value.split("-vs-")[0]
+
+    @property
+    def reference(self) -> str:
+        return self.value.split("-vs-")[1]
+
+
+class Cause(StrEnum):
+    """Where a deviation comes from."""
+
+    TRANSLATION = "translation"
+    NUMERICS = "numerics"
+    NOISE = "noise"
+    MODEL = "model"
+
+
+class Attribution(Record):
+    """The cause of a deviation and, where a closed form decides it, the engine that is wrong."""
+
+    cause: Cause
+    engine: str | None = None
+    reason: str
+
+
+class Interval(Record):
+    """An interval of confidence ``level`` (0.999 means one in a thousand such intervals misses)."""
+
+    low: float
+    high: float
+    level: float = Field(gt=0, le=1)
+    method: str
+
+    @property
+    def half_width(self) -> float:
+        return (self.high - self.low) / 2
+
+
+class TolerancePart(Record):
+    """One share of a tolerance: the metric's threshold, or what the translation's certificate allows."""
+
+    source: Literal["threshold", "reference", "certificate"]
+    amount: float = Field(ge=0)
+    reason: str
+
+
+class Comparison(Record):
+    """One number held against what it should be.
+
+    ``value`` is the metric (a ratio, a shift, or a measured quantity where the other side is truth), ``ideal`` what
+    perfect agreement gives, ``difference = value - ideal``. ``interval`` is that of the difference at the corrected
+    level of the run. ``tolerance`` is the sum of ``tolerance_parts``. ``sample_factor``, of an inconclusive
+    comparison, is how many times the samples would decide it; null where no number of samples can.
+    """
+
+    pair: Pair
+    metric: str
+    unit: str
+    value: float
+    ideal: float
+    ideal_source: str = ""
+    difference: float
+    interval: Interval
+    tolerance: float = Field(ge=0)
+    tolerance_parts: tuple[TolerancePart, ...] = ()
+    verdict: Verdict
+    sample_factor: float | None = None
+    reason: str
+    attribution: Attribution | None = None
+    settings: dict[str, Any] = {}
+    parts: dict[str, Any] = {}
+    caveats: tuple[str, ...] = ()
+
+
+class Curve(Record):
+    """One line of a profile: samples at the profile's positions, with the standard error of each where known."""
+
+    side: str
+    values: tuple[float, ...]
+    standard_error: tuple[float, ...] = ()
+
+
+class Profile(Record):
+    """Radiance along one direction of a patch, averaged across the other, for every side there is."""
+
+    along: Literal["u", "v", "radius"]
+    channel: Literal["red", "green", "blue", "luminance"]
+    unit: str
+    positions_m: tuple[float, ...]
+    curves: tuple[Curve, ...]
+
+
+class PatchRecord(Record):
+    """The measured rectangle in the world, and its outline in the image (pixels, row 0 on top)."""
+
+    center: tuple[float, float, float]
+    u: tuple[float, float, float]
+    v: tuple[float, float, float]
+    outline_px: tuple[tuple[float, float], ...] = ()
+    coverage: float = Field(default=1.0, ge=0, le=1)
+
+
+class ObservationResult(Record):
+    """One phenomenon on one patch: everything that was measured and what it came to."""
+
+    name: str
+    phenomenon: Phenomenon
+    patch: PatchRecord
+    comparisons: tuple[Comparison, ...]
+    profiles: tuple[Profile, ...] = ()
+    verdict: Verdict
+    attribution: Attribution | None = None

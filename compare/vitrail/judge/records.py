@@ -1,0 +1,190 @@
+"""The records that are ``results.json``: one run, its scenes, their observations, every comparison with its verdict.
+
+The report, the exit code and every machine reader take their numbers from here and compute none of their own. Records
+are frozen, refuse unknown keys and hold finite numbers only, so a run that is written can always be read again.
+Lengths are metres, radiance W sr^-1 m^-2, times CPU seconds; paths are relative to the folder of ``results.json``.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from enum import StrEnum
+from pathlib import Path
+from typing import Any, Literal
+
+from pydantic import Field
+
+from vitrail.judge.comparison import ObservationResult, Record, Verdict
+from vitrail.scene.phenomenon import Phenomenon
+
+RESULTS_VERSION: Literal[1] = 1
+
+
+class Status(StrEnum):
+    """How far a scene came; only a judged one has verdicts."""
+
+    JUDGED = "judged"
+    GATE_FAILED = "gate_failed"
+    SCENE_ERROR = "scene_error"
+    NOT_TRANSLATABLE = "not_translatable"
+    ENGINE_FAILED = "engine_failed"
+    INTERRUPTED = "interrupted"
+
+
+class GlobalMetric(Record):
+    """A whole-image number, shown beside the verdicts and never one itself."""
+
+    metric: str
+    value: float
+    unit: str
+    ideal: float
+    floor: float | None = None
+    settings: dict[str, Any] = {}
+    parts: dict[str, Any] = {}
+    caveats: tuple[str, ...] = ()
+
+
+class Gate(Record):
+    """A condition that must hold before any metric means anything."""
+
+    gate: str
+    passed: bool
+    message: str
+
+
+class PlanEntry(Record):
+    """Whether the scene requires a phenomenon, what in the scene says so, and what modelling it costs."""
+
+    phenomenon: Phenomenon
+    required: bool
+    evidence: tuple[str, ...] = ()
+    cost: str = ""
+
+
+class CertificateEntry(Record):
+    """One parameter's way through the translation: the law meant, the law POV-Ray has, what is left over."""
+
+    phenomenon: Phenomenon
+    item: str
+    source_law: str
+    target_law: str
+    residual: float
+    unit: str
+    reason: str
+
+
+class EngineRun(Record):
+    """How one image was made. ``record`` is the engine's run record, word for word."""
+
+    engine: str
+    version: str
+    cpu_s: float | None = None
+    photon_cpu_s: float | None = None
+    gather_cpu_s: float | None = None
+    photons_emitted: int | None = None
+    photons_stored: int | None = None
+    photons_per_cpu_s: float | None = None
+    gathers_per_cpu_s: float | None = None
+    settings: dict[str, Any] = {}
+    warnings: tuple[str, ...] = ()
+    record: dict[str, Any] = {}
+
+
+class Speed(Record):
+    """The tracer's rate over POV-Ray's for one phase, in work per CPU second."""
+
+    phase: str
+    ratio: float
+    unit: str
+
+
+class ImageFiles(Record):
+    """One side's pictures: the linear radiance, the display picture, and pictures of what else there is."""
+
+    side: str
+    exr: str
+    png: str
+    layers: dict[str, str] = {}
+
+
+class SceneResult(Record):
+    """Everything about one scene."""
+
+    name: str
+    title: str
+    source: str
+    scene_hash: str = ""
+    status: Status
+    message: str = ""
+    width: int = 0
+    height: int = 0
+    exposure_stops: float = 0.0
+    plan: tuple[PlanEntry, ...] = ()
+    settings: dict[str, Any] = {}
+    certificate: tuple[CertificateEntry, ...] = ()
+    engines: tuple[EngineRun, ...] = ()
+    speed: tuple[Speed, ...] = ()
+    images: tuple[ImageFiles, ...] = ()
+    differences: dict[str, str] = {}
+    gates: tuple[Gate, ...] = ()
+    global_metrics: tuple[GlobalMetric, ...] = ()
+    observations: tuple[ObservationResult, ...] = ()
+    warnings: tuple[str, ...] = ()
+    reproduce: str = ""
+    verdict: Verdict | None = None
+    exit_code: int = Field(ge=0)
+
+
+class FalseAlarms(Record):
+    """The chance that a suite without any deviation reports one, and how it is shared among the comparisons."""
+
+    suite_rate: float = Field(gt=0, lt=1)
+    comparisons: int = Field(ge=0)
+    level: float = Field(gt=0, lt=1)
+    correction: Literal["sidak"] = "sidak"
+
+
+class Run(Record):
+    """Where and how the run was made; all that may differ between two equal runs is in here and in the engine runs."""
+
+    command: tuple[str, ...] = ()
+    started: str = ""
+    wall_s: float | None = None
+    vitrail_version: str
+    python: str = ""
+    platform: str = ""
+    processor: str = ""
+    threads: int | None = None
+    interrupted: bool = False
+
+
+class Results(Record):
+    """``results.json``."""
+
+    vitrail_results: Literal[1] = RESULTS_VERSION
+    run: Run
+    false_alarms: FalseAlarms
+    scenes: tuple[SceneResult, ...]
+    counts: dict[str, int] = {}
+    verdict: Verdict | None
+    exit_code: int = Field(ge=0)
+
+
+def write_results(results: Results, path: Path) -> None:
+    """Write ``results.json``: sorted keys, two spaces, so that two runs can be compared line by line."""
+    path.write_text(json.dumps(results.model_dump(mode="json"), indent=2, sort_keys=True, allow_nan=False) + "\n")
+
+
+def read_results(path: Path) -> Results:
+    return Results.model_validate_json(path.read_text())
+
+
+def results_schema() -> Mapping[str, Any]:
+    """The JSON Schema of ``results.json``, committed as ``references/results.schema.json``."""
+    schema = Results.model_json_schema(mode="serialization")
+    return {"$schema": "https://json-schema.org/draft/2020-12/schema", "title": "Vitrail results", **schema}
+
+
+if __name__ == "__main__":
+    print(json.dumps(results_schema(), indent=2, sort_keys=True))
