@@ -2,7 +2,7 @@
 
 Every model is frozen and refuses unknown keys. Checks that need one value (a radius above zero, ``d + r + t <= 1``)
 live here; checks that need two places of a file (a dangling material, overlapping glass) live in ``check.py``.
-``load.py`` turns the errors raised here into ``file:line:col`` messages, ``schema.py`` prints these types as JSON Schema.
+``load.py`` turns the errors raised here into ``file:line:col`` messages, ``schema.py`` prints the types as JSON Schema.
 
 Vectors are ``(x, y, z)`` in metres, right-handed, +y up. Colours are linear Rec. 709 / D65 triplets.
 """
@@ -78,7 +78,9 @@ class Attenuation(Part):
 
     color: Annotated[
         tuple[
-            Annotated[float, Field(gt=0, le=1)], Annotated[float, Field(gt=0, le=1)], Annotated[float, Field(gt=0, le=1)]
+            Annotated[float, Field(gt=0, le=1)],
+            Annotated[float, Field(gt=0, le=1)],
+            Annotated[float, Field(gt=0, le=1)],
         ],
         BeforeValidator(_triplet),
     ]
@@ -95,7 +97,7 @@ class Material(Part):
     reflection: Share = (0.0, 0.0, 0.0)
     transmission: Share = (0.0, 0.0, 0.0)
     ior: Positive | None = None
-    fresnel: bool = False
+    fresnel: Annotated[bool, Field(strict=True)] = False
     roughness: Annotated[float, Field(ge=0, le=1, strict=True)] | Ggx = 0.0
     dispersion: Finite | Abbe | None = None
     glass: str | None = None
@@ -140,7 +142,7 @@ class Material(Part):
     def _conserve_light(self) -> Material:
         use = max(self.light_use)
         if use > 1 + LIGHT_USE_SLACK:
-            channel = "red green blue".split()[self.light_use.index(use)]
+            channel = ["red", "green", "blue"][self.light_use.index(use)]
             raise ValueError(
                 f"diffuse + reflection + transmission is {use:.6g} in {channel}, which makes light;"
                 " lower one of them until the sum is at most 1"
@@ -150,7 +152,9 @@ class Material(Part):
     @model_validator(mode="after")
     def _need_an_index(self) -> Material:
         if self.is_transmissive and self.ior is None and self.glass is None:
-            raise ValueError("a transmissive material needs its refraction index; add `ior: 1.5` or a catalogue `glass:`")
+            raise ValueError(
+                "a transmissive material needs its refraction index; add `ior: 1.5` or a catalogue `glass:`"
+            )
         if self.ior is not None and self.glass is not None:
             raise ValueError("both `ior` and `glass` give the refraction index; keep one of them")
         if self.glass is not None and self.dispersion is not None:
@@ -160,7 +164,9 @@ class Material(Part):
         if self.fresnel and self.ior is None and self.glass is None:
             raise ValueError("`fresnel` needs a refraction index; add `ior: 1.5` or a catalogue `glass:`")
         if (self.attenuation or self.absorption_per_m) and not self.is_transmissive:
-            raise ValueError("an opaque material has no inside to absorb light; add `transmission` or drop the absorption")
+            raise ValueError(
+                "an opaque material has no inside to absorb light; add `transmission` or drop the absorption"
+            )
         return self
 
 
@@ -252,7 +258,9 @@ class Cone(Part):
 
 
 class Prism(Part):
-    """A polygon in x, y extruded along z, centred on z = 0: ``profile`` and ``height``, or ``apex_deg``, ``side``, ``height``.
+    """A polygon in x, y extruded along z, centred on z = 0.
+
+    It is given by ``profile`` and ``height``, or by ``apex_deg``, ``side`` and ``height``.
 
     With ``apex_deg`` the cross-section is isosceles: two sides of length ``side`` meet at the apex, which points to +y;
     the centroid is the origin.
@@ -276,7 +284,10 @@ class Prism(Part):
     def corners(self) -> tuple[tuple[float, float], ...]:
         """The cross-section, counter-clockwise in the x, y plane, metres."""
         if self.profile is not None:
-            area = sum(a[0] * b[1] - b[0] * a[1] for a, b in zip(self.profile, self.profile[1:] + self.profile[:1], strict=True))
+            area = sum(
+                a[0] * b[1] - b[0] * a[1]
+                for a, b in zip(self.profile, self.profile[1:] + self.profile[:1], strict=True)
+            )
             return self.profile if area > 0 else tuple(reversed(self.profile))
         assert self.apex_deg is not None and self.side is not None
         half = math.radians(self.apex_deg) / 2
@@ -331,7 +342,9 @@ class Object(Part):
         given = [key for key in SHAPE_KEYS if getattr(self, key) is not None]
         if len(given) != 1:
             found = " and ".join(given) if given else "none"
-            raise ValueError(f"an object has exactly one shape, this one has {found}; the shapes are {', '.join(SHAPE_KEYS)}")
+            raise ValueError(
+                f"an object has exactly one shape, this one has {found}; the shapes are {', '.join(SHAPE_KEYS)}"
+            )
         return self
 
     @property
@@ -381,7 +394,10 @@ class Spot(Part):
 
 
 class Area(Part):
-    """A one-sided Lambertian emitter of ``radiance``, or with ``collimated`` the lamp of figure 4: all light along the normal."""
+    """A one-sided Lambertian emitter of ``radiance``, or with ``collimated`` the lamp of figure 4.
+
+    The collimated lamp sends all its light along the normal and takes ``irradiance``.
+    """
 
     rectangle: Rectangle | None = None
     disc: Disc | None = None
@@ -429,7 +445,9 @@ class Light(Part):
         given = [key for key in LIGHT_KEYS if getattr(self, key) is not None]
         if len(given) != 1:
             found = " and ".join(given) if given else "none"
-            raise ValueError(f"a light has exactly one kind, this one has {found}; the kinds are {', '.join(LIGHT_KEYS)}")
+            raise ValueError(
+                f"a light has exactly one kind, this one has {found}; the kinds are {', '.join(LIGHT_KEYS)}"
+            )
         return self
 
     @property
