@@ -73,17 +73,13 @@ class Abbe(Part):
     abbe: Annotated[float, Field(gt=1, allow_inf_nan=False, strict=True)]
 
 
+_Remaining = Annotated[float, Field(gt=0, le=1, strict=True)]
+
+
 class Attenuation(Part):
     """White light has ``color`` left after ``distance`` metres inside (as in KHR_materials_volume)."""
 
-    color: Annotated[
-        tuple[
-            Annotated[float, Field(gt=0, le=1)],
-            Annotated[float, Field(gt=0, le=1)],
-            Annotated[float, Field(gt=0, le=1)],
-        ],
-        BeforeValidator(_triplet),
-    ]
+    color: Annotated[tuple[_Remaining, _Remaining, _Remaining], BeforeValidator(_triplet)]
     distance: Positive
 
 
@@ -311,7 +307,7 @@ class Mesh(Part):
     """Triangles from a PLY or OBJ file beside the scene; closed and outward if the material transmits."""
 
     file: str
-    smooth: bool = True
+    smooth: Annotated[bool, Field(strict=True)] = True
 
 
 Shape = Sphere | Plane | Rectangle | Disc | Box | Cylinder | Cone | Prism | Lens | Mesh
@@ -335,7 +331,7 @@ class Object(Part):
     mesh: Mesh | None = None
     rotate_deg: Vector = (0.0, 0.0, 0.0)
     translate: Vector = (0.0, 0.0, 0.0)
-    priority: Annotated[int, Field(ge=0, le=1000)] | None = None
+    priority: Annotated[int, Field(ge=0, le=1000, strict=True)] | None = None
 
     @model_validator(mode="after")
     def _has_one_shape(self) -> Object:
@@ -402,7 +398,7 @@ class Area(Part):
     rectangle: Rectangle | None = None
     disc: Disc | None = None
     radiance: Colour | None = None
-    collimated: bool = False
+    collimated: Annotated[bool, Field(strict=True)] = False
     irradiance: Colour | None = None
 
     @model_validator(mode="after")
@@ -516,10 +512,10 @@ class Paper(Part):
 
     tir: Literal["reflect", "drop"] = "reflect"
     refraction: Literal["corrected", "literal"] = "corrected"
-    literal_sum: bool = False
+    literal_sum: Annotated[bool, Field(strict=True)] = False
     dispersion: Literal["step", "span"] = "step"
     dispersion_reference: Literal["red", "d_line", "middle"] = "red"
-    disperse_camera: bool = True
+    disperse_camera: Annotated[bool, Field(strict=True)] = True
     rough_samples: Annotated[int, Field(ge=1, le=256, strict=True)] = 1
 
 

@@ -1,0 +1,253 @@
+"""Say what is wrong with a field in the words of the scene language, with the place where it was written."""
+
+from __future__ import annotations
+
+import types
+import typing
+from collections.abc import Iterator
+from typing import Any
+
+from pydantic import BaseModel, ValidationError
+
+from vitrail.scene.diagnostic import Diagnostic, nearest, suggestion
+from vitrail.scene.yaml_tree import Path, Places
+
+
+def field_diagnostics(error: ValidationError, data: Any, top: type[BaseModel], places: Places, file: str) -> list[Diagnostic]:
+    """One Diagnostic for each thing that is wrong; alternatives that the author did not mean are left out."""
+    found: dict[tuple[int, int, str], Diagnostic] = {}
+    for each in error.errors(include_url=False):
+        walked = _walk(each["loc"], data)
+        if walked is None:
+            continue
+        path, value = walked
+        what, remedy, at_key = _explain(each, path, value, data, top)
+        line, col = places.of_key(*path) if at_key else places.of(*path)
+        found.setdefault((line, col, what), Diagnostic(file, line, col, what, remedy))
+    return list(found.values())
+
+
+def _walk(loc: tuple[int | str, ...], data: Any) -> tuple[Path, Any] | None:
+    """The path in the file that a pydantic location means, and the value there; None for an alternative not meant.
+
+    A location also holds the names of the alternatives of a union, which are no keys of the file. Where the author
+    wrote a mapping only the alternatives that are mappings are meant, elsewhere only the others.
+    """
+    path: Path = ()
+    value = data
+    for index, step in enumerate(loc):
+        is_last = index == len(loc) - 1
+        if isinstance(value, dict) and isinstance(step, str) and step in value:
+            path, value = (*path, step), value[step]
+        elif isinstance(value, list) and isinstance(step, int) and step < len(value):
+            path, value = (*path, step), value[step]
+        elif isinstance(step, int):
+            break
+        elif _is_alternative(step):
+            if isinstance(value, dict) != _is_mapping_alternative(step):
+                return None
+        elif is_last:
+            return (*path, step), None
+    return path, value
+
+
+def _is_mapping_alternative(step: str) -> bool:
+    return step in ("Checker", "Ggx", "Abbe", "Ambient", "SpectralBands")
+
+
+def _is_alternative(step: str) -> bool:
+    return _is_mapping_alternative(step) or any(mark in step for mark in "[(-") or step in ("float", "int", "str", "bool")
+
+
+# --- what to say ----------------------------------------------------------------------------------------------------
+
+
+def _explain(error: Any, path: Path, value: Any, data: Any, top: type[BaseModel]) -> tuple[str, str, bool]:
+    """(what, remedy, whether the key rather than the value is the place)."""
+    kind, context, name = error["type"], error.get("ctx") or {}, _label(path)
+    if kind == "value_error":
+        what, _, remedy = str(context["error"]).partition("; ")
+        return what, remedy or "change it", isinstance(value, dict)
+    if kind == "extra_forbidden":
+        known = known_keys(path[:-1], data, top)
+        return f"unknown key `{path[-1]}`{_inside(path)}", suggestion(str(path[-1]), known, "key"), True
+    if kind == "missing" and path and isinstance(path[-1], str) and not isinstance(value, list):
+        return f"`{path[-1]}` is missing{_inside(path)}", f"add `{path[-1]}: {_example(path, data, top)}`", True
+    if kind in ("greater_than", "greater_than_equal", "less_than", "less_than_equal"):
+        word, limit = _LIMITS[kind], next(iter(context.values()))
+        return f"{name} is {_shown(value)} and must be {word} {limit:g}", f"give a number {word} {limit:g}", False
+    if kind == "finite_number":
+        return f"{name} is not a finite number", "give a number such as 1.5", False
+    if kind in ("literal_error", "enum"):
+        return _explain_choice(name, value, context)
+    return _explain_type(kind, name, value, path, data, top)
+
+
+_LIMITS = {
+    "greater_than": "above",
+    "greater_than_equal": "at least",
+    "less_than": "below",
+    "less_than_equal": "at most",
+}
+
+
+def _explain_choice(name: str, value: Any, context: Any) -> tuple[str, str, bool]:
+    """A word that is none of the words allowed there."""
+    expected = context.get("expected", "").replace(" or ", ", ")
+    choices = [choice.strip().strip("'") for choice in expected.split(",")]
+    close = nearest(value, choices) if isinstance(value, str) else None
+    if close is not None:
+        return f"{name} is {_shown(value)}, which is none of its choices", f"did you mean `{close}`?", False
+    return f"{name} is {_shown(value)}", f"the choices are {', '.join(choices)}", False
+
+
+def _explain_type(kind: str, name: str, value: Any, path: Path, data: Any, top: type[BaseModel]) -> tuple[str, str, bool]:
+    """A value of another kind than the field takes."""
+    if value is None:
+        return f"{name} has no value", f"write `{name.strip('`')}: {_example(path, data, top)}`", True
+    wanted = _WANTED.get(kind)
+    if isinstance(value, list) and kind in ("missing", "too_long", "too_short"):
+        return f"{name} has {len(value)} entries", f"give {_example(path, data, top)}", False
+    if wanted is None or kind in ("tuple_type", "float_type") and not path:
+        wanted = "something else"
+    return f"{name} must be {wanted}, found {_shown(value)}", f"write {_example(path, data, top)}", False
+
+
+_WANTED = {
+    "float_type": "a number",
+    "float_parsing": "a number",
+    "int_type": "a whole number",
+    "int_parsing": "a whole number",
+    "int_from_float": "a whole number",
+    "int_parsing_size": "a smaller whole number",
+    "bool_type": "true or false",
+    "bool_parsing": "true or false",
+    "string_type": "text",
+    "tuple_type": "a list",
+    "dict_type": "a mapping `name: {...}`",
+    "model_type": "a mapping `{key: value, ...}`",
+    "model_attributes_type": "a mapping `{key: value, ...}`",
+}
+
+
+def _label(path: Path) -> str:
+    """The field as its author knows it: the last key, with the indices after it."""
+    names = [index for index, step in enumerate(path) if isinstance(step, str)]
+    if not names:
+        return "the scene"
+    last = names[-1]
+    return "`" + str(path[last]) + "".join(f"[{step}]" for step in path[last + 1 :]) + "`"
+
+
+def _inside(path: Path) -> str:
+    outer = _label(path[:-1]) if len(path) > 1 else ""
+    return f" in {outer}" if outer and outer != "the scene" else ""
+
+
+def _shown(value: Any) -> str:
+    """A value as found in the file, short enough for a message."""
+    match value:
+        case None:
+            return "nothing"
+        case bool():
+            return "true" if value else "false"
+        case str():
+            return f"the text '{value if len(value) <= 40 else value[:37] + '...'}'"
+        case dict():
+            return "a mapping"
+        case list():
+            return f"a list of {len(value)}"
+        case _:
+            return f"{value:g}" if isinstance(value, float) else str(value)
+
+
+# --- what the types say ---------------------------------------------------------------------------------------------
+
+
+def known_keys(path: Path, data: Any, top: type[BaseModel]) -> list[str]:
+    """The keys that the mapping at ``path`` may have, as written in a file."""
+    keys: list[str] = []
+    for model in _models_at(path, top):
+        keys += [info.alias or name for name, info in model.model_fields.items()]
+    return list(dict.fromkeys(keys))
+
+
+def _models_at(path: Path, top: type[BaseModel]) -> list[type[BaseModel]]:
+    """The models whose fields the mapping at ``path`` is read as."""
+    current: list[Any] = [top]
+    for step in path:
+        following: list[Any] = []
+        for annotation in current:
+            following += _below(annotation, step)
+        current = [leaf for annotation in following for leaf in _leaves(annotation)]
+    return [each for each in current if isinstance(each, type) and issubclass(each, BaseModel)]
+
+
+def _below(annotation: Any, step: str | int) -> list[Any]:
+    """The annotations one step further down."""
+    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
+        return [info.annotation for name, info in annotation.model_fields.items() if step in (name, info.alias)]
+    arguments = typing.get_args(annotation)
+    if typing.get_origin(annotation) is dict:
+        return [arguments[1]]
+    if typing.get_origin(annotation) is tuple and isinstance(step, int):
+        return [arguments[0] if arguments[-1] is Ellipsis else arguments[min(step, len(arguments) - 1)]]
+    return []
+
+
+def _leaves(annotation: Any) -> Iterator[Any]:
+    """The alternatives of an annotation, without Annotated, Optional and unions around them."""
+    origin = typing.get_origin(annotation)
+    if origin is typing.Annotated:
+        yield from _leaves(typing.get_args(annotation)[0])
+    elif origin in (typing.Union, types.UnionType):
+        for argument in typing.get_args(annotation):
+            yield from _leaves(argument)
+    else:
+        yield annotation
+
+
+_EXAMPLES = {
+    "vitrail": "1",
+    "camera": "{position: [0, 2, 5], look_at: [0, 0, 0], fov_deg: 35}",
+    "image": "{width: 640, height: 480}",
+    "materials": "{white: {diffuse: 0.8}}",
+    "objects": "[{name: floor, plane: {point: [0, 0, 0], normal: [0, 1, 0]}, material: white}]",
+    "lights": "[{name: sun, directional: {direction: [0, -1, 0], irradiance: 3}}]",
+    "normal": "[0, 1, 0]",
+    "direction": "[0, -1, 0]",
+    "patch": "{center: [0, 0, 0], u: [1, 0, 0], v: [0, 0, 1]}",
+    "phenomenon": "caustic",
+    "colors": "[0.1, 0.9]",
+    "profile": "[[0, 0], [1, 0], [0, 1]]",
+}
+
+
+def _example(path: Path, data: Any, top: type[BaseModel]) -> str:
+    """A value that would be right there."""
+    name = next((step for step in reversed(path) if isinstance(step, str)), "")
+    if path and isinstance(path[-1], str) and name in _EXAMPLES:
+        return _EXAMPLES[name]
+    leaves = [leaf for model in _models_at(_holder(path), top) for leaf in _field_leaves(model, name)]
+    if any(typing.get_origin(leaf) is tuple for leaf in leaves) and isinstance(path[-1], str):
+        return _EXAMPLES.get(name, "three numbers, as in [1, 0.5, 0]")
+    if bool in leaves:
+        return "true"
+    if int in leaves:
+        return "a whole number"
+    if str in leaves:
+        return "a name"
+    if any(isinstance(leaf, type) and issubclass(leaf, BaseModel) for leaf in leaves):
+        keys = known_keys(path, data, top)
+        return "{" + ", ".join(f"{key}: ..." for key in keys[:4]) + "}"
+    return "a number"
+
+
+def _holder(path: Path) -> Path:
+    """The path of the mapping that holds the last key of ``path``."""
+    last = max((index for index, step in enumerate(path) if isinstance(step, str)), default=0)
+    return path[:last]
+
+
+def _field_leaves(model: type[BaseModel], name: str) -> list[Any]:
+    return [leaf for key, info in model.model_fields.items() if name in (key, info.alias) for leaf in _leaves(info.annotation)]
