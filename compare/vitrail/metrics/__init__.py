@@ -1,0 +1,1 @@
+"""Pure functions from radiance samples to numbers with units, ideals and stated settings."""
