@@ -1,0 +1,116 @@
+"""What a user can write or type is documented: scene keys, commands, make targets, formula tags."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from types import UnionType
+from typing import Any, Union, get_args, get_origin
+
+import typer.main
+from pydantic import BaseModel
+
+from tests.architecture.source_tree import ROOT, project_files
+from vitrail.commands.app import app
+from vitrail.scene.model import Scene
+
+
+def models_in(annotation: Any) -> Iterator[type[BaseModel]]:
+    """The model types inside an annotation, through unions, tuples and dictionaries."""
+    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
+        yield annotation
+    elif get_origin(annotation) in (Union, UnionType) or get_args(annotation):
+        for inner in get_args(annotation):
+            yield from models_in(inner)
+
+
+def scene_keys(model: type[BaseModel], seen: set[type[BaseModel]]) -> Iterator[tuple[str, str]]:
+    """Model name and key, for every key that a scene file may have."""
+    if model in seen:
+        return
+    seen.add(model)
+    for name, field in model.model_fields.items():
+        yield model.__name__, field.alias or name
+        for inner in models_in(field.annotation):
+            yield from scene_keys(inner, seen)
+
+
+def backquoted(text: str) -> set[str]:
+    """Every word inside backquotes or a code block."""
+    code = "\n".join(re.findall(r"```.*?```|`[^`\n]+`", text, re.DOTALL))
+    return set(re.findall(r"[A-Za-z_][A-Za-z0-9_]*", code))
+
+
+def test_every_scene_key_is_documented() -> None:
+    documented = backquoted((ROOT / "scenes" / "README.md").read_text(encoding="utf-8"))
+    missing = [f"{model}.{key}" for model, key in scene_keys(Scene, set()) if key not in documented]
+    assert not missing, f"scenes/README.md says nothing about {missing}"
+
+
+def test_every_command_and_option_is_documented() -> None:
+    page = (ROOT / "docs" / "commands.md").read_text(encoding="utf-8")
+    group = typer.main.get_command(app)
+    missing = []
+    for name, command in group.commands.items():  # type: ignore[attr-defined]
+        if f"vitrail {name}" not in page:
+            missing.append(name)
+        for parameter in command.params:
+            for option in parameter.opts:
+                if option.startswith("--") and option not in ("--help",) and option not in page:
+                    missing.append(f"{name} {option}")
+    assert not missing, f"docs/commands.md says nothing about {missing}"
+
+
+def test_every_documented_command_exists() -> None:
+    group = typer.main.get_command(app)
+    for name in ("README.md", "docs/commands.md", "CONTRIBUTING.md", "scenes/README.md"):
+        text = (ROOT / name).read_text(encoding="utf-8")
+        mentioned = set(re.findall(r"(?:^    |`|bin/)vitrail ([a-z]+)", text, re.MULTILINE))
+        unknown = mentioned - set(group.commands)  # type: ignore[attr-defined]
+        assert not unknown, f"{name} speaks of commands that do not exist: {sorted(unknown)}"
+
+
+def test_every_make_target_is_in_the_help() -> None:
+    makefile = (ROOT / "Makefile").read_text(encoding="utf-8")
+    phony = re.search(r"^\.PHONY: (.*)$", makefile, re.MULTILINE)
+    assert phony is not None
+    help_text = makefile.split("help:", 1)[1].split("\n\n", 1)[0]
+    missing = [t for t in phony.group(1).split() if t not in ("help", "build") and f"make {t}" not in help_text]
+    assert not missing
+
+
+TAG = re.compile(r"\[(S|O|P|J96|W07)((?:\s[^\]\n]{1,40})?)\]")
+
+
+def test_every_formula_tag_is_explained() -> None:
+    """[O 1.1] names a section of docs/errata.md, [P 2.4] one of docs/povray.md; docs/sources.md explains the rest."""
+    sources = (ROOT / "docs" / "sources.md").read_text(encoding="utf-8")
+    pages = {"O": "docs/errata.md", "P": "docs/povray.md"}
+    known = {
+        letter: set(re.findall(r"^#+ (\d+(?:\.\d+)?)", (ROOT / page).read_text(encoding="utf-8"), re.MULTILINE))
+        | {f"2.{row}" for row in re.findall(r"^\| (\d+) \|", (ROOT / page).read_text(encoding="utf-8"), re.MULTILINE)}
+        for letter, page in pages.items()
+    }
+    unknown = []
+    for path in project_files():
+        if path.suffix not in {".py", ".h", ".cpp", ".yaml", ".md"}:
+            continue
+        for letter, place in TAG.findall((ROOT / path).read_text(encoding="utf-8")):
+            number = re.match(r"\s(\d+(?:\.\d+)*)", place)
+            if letter in pages and number and number.group(1) not in known[letter]:
+                unknown.append(f"{path}: [{letter}{place}]")
+            elif f"[{letter}" not in sources:
+                unknown.append(f"{path}: [{letter}{place}]")
+    assert not unknown, "\n".join(unknown)
+
+
+def test_every_link_between_pages_leads_somewhere() -> None:
+    broken = []
+    for path in project_files():
+        if path.suffix != ".md":
+            continue
+        text = (ROOT / path).read_text(encoding="utf-8")
+        for target in re.findall(r"\]\(([^)#\s]+)(?:#[^)]*)?\)", text):
+            if "://" not in target and not ((ROOT / path).parent / target).exists():
+                broken.append(f"{path}: {target}")
+    assert not broken, "\n".join(broken)
