@@ -1,0 +1,130 @@
+"""What must hold before any metric means anything: each gate has one question, one answer and its own message.
+
+FLIP swallows a NaN pixel, SSIM turns wholly NaN, and image tools have passed two pictures of different size; so
+nothing is measured until every gate is passed. Gates report all that is wrong, not the first.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from vitrail.judge.records import Gate
+
+COLOUR_CHANNELS = ("R", "G", "B")
+LINEAR_PIXELS = ("float", "half", "double")
+
+
+@dataclass(frozen=True)
+class Inspected:
+    """What a gate may know of one image file: its header as written and its radiance (height, width, 3)."""
+
+    side: str
+    file: str
+    width: int
+    height: int
+    channels: tuple[str, ...]
+    pixel_type: str
+    radiance: np.ndarray | None
+    metadata: Mapping[str, str] = field(default_factory=dict)
+
+
+def check_gates(width: int, height: int, scene_hash: str, images: Sequence[Inspected]) -> tuple[Gate, ...]:
+    """Pass every image of a scene through every gate."""
+    gates = [gate for image in images for gate in _one_image(width, height, scene_hash, image)]
+    return (*gates, *(_same_settings(first, second) for first, second in zip(images, images[1:], strict=False)))
+
+
+def _one_image(width: int, height: int, scene_hash: str, image: Inspected) -> list[Gate]:
+    """The gates that need one image and the scene."""
+    return [
+        gate_size(width, height, image),
+        gate_channels(image),
+        gate_linear(image),
+        gate_finite(image),
+        gate_light(image),
+        gate_exposure(image),
+        gate_scene(scene_hash, image),
+    ]
+
+
+def gate_size(width: int, height: int, image: Inspected) -> Gate:
+    good = (image.width, image.height) == (width, height)
+    return _gate("size", image, good, f"is {image.width} x {image.height}, the scene says {width} x {height}")
+
+
+def gate_channels(image: Inspected) -> Gate:
+    missing = [name for name in COLOUR_CHANNELS if name not in image.channels]
+    return _gate(
+        "channels", image, not missing, f"has no channel {', '.join(missing)}; found {', '.join(image.channels)}"
+    )
+
+
+def gate_linear(image: Inspected) -> Gate:
+    """An 8- or 16-bit integer image is display-referred: its radiance is lost."""
+    good = image.pixel_type in LINEAR_PIXELS
+    return _gate("linear", image, good, f"holds {image.pixel_type} pixels; write linear float or half (EXR)")
+
+
+def gate_finite(image: Inspected) -> Gate:
+    """Name the first pixel that is not a number, because that is where the search starts."""
+    bad = np.empty((0, 3), dtype=int) if image.radiance is None else np.argwhere(~np.isfinite(image.radiance))
+    where = ""
+    if len(bad):
+        row, column, channel = (int(index) for index in bad[0])
+        value = image.radiance[row, column, channel] if image.radiance is not None else 0.0
+        pixels = len({(int(r), int(c)) for r, c, _ in bad})
+        where = f"has {value} at pixel x={column} y={row} (channel {COLOUR_CHANNELS[channel]}), {pixels} bad in all"
+    return _gate("finite", image, not len(bad), where)
+
+
+def gate_light(image: Inspected) -> Gate:
+    """A wholly black image equals any other black image; it has measured nothing."""
+    lit = image.radiance is None or not np.isfinite(image.radiance).all() or bool(np.any(image.radiance != 0))
+    return _gate("light", image, lit, "is black everywhere")
+
+
+def gate_exposure(image: Inspected) -> Gate:
+    """Radiance is compared, so the pixels must not have been exposed."""
+    stops = image.metadata.get("vitrail:exposure_stops", "0")
+    try:
+        good = float(stops) == 0
+    except ValueError:
+        good = False
+    return _gate("exposure", image, good, f"was exposed by {stops} stops; radiance without exposure is needed")
+
+
+def gate_scene(scene_hash: str, image: Inspected) -> Gate:
+    """An image that says which scene it shows must show this one; a foreign image need not say."""
+    said = image.metadata.get("vitrail:scene_hash")
+    good = said is None or said == scene_hash
+    return _gate("scene", image, good, f"shows scene {str(said)[:12]}, this scene is {scene_hash[:12]}; render again")
+
+
+def _same_settings(first: Inspected, second: Inspected) -> Gate:
+    """Two kernels of different width make two different pictures of one caustic."""
+    ours, theirs = _settings(first), _settings(second)
+    unlike = [
+        f"{key} {ours[key]} against {theirs[key]}"
+        for key in ("gather_radius_m",)
+        if key in ours and key in theirs and ours[key] != theirs[key]
+    ]
+    message = f"{first.side} and {second.side}: " + ("; ".join(unlike) if unlike else "same settings")
+    return Gate(gate="settings", passed=not unlike, message=message)
+
+
+def _settings(image: Inspected) -> dict[str, object]:
+    try:
+        found = json.loads(image.metadata.get("vitrail:settings", "{}"))
+    except json.JSONDecodeError:
+        return {}
+    return found if isinstance(found, dict) else {}
+
+
+def _gate(name: str, image: Inspected, passed: bool, failure: str) -> Gate:
+    return Gate(
+        gate=name, passed=passed, message=f"{image.side}: " + ("passed" if passed else f"{image.file} {failure}")
+    )
