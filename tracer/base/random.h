@@ -2,7 +2,8 @@
 //
 // No generator is carried from one photon or pixel to the next, so any thread may compute any sample at any time and
 // the picture keeps its bits. Two families:
-//   * Owen-scrambled Sobol points by index, in two and four dimensions, for what is integrated: emission, pixels, lights;
+//   * Owen-scrambled Sobol points by index, in two and four dimensions, for what is integrated: emission, pixels,
+//   lights;
 //   * a hash for everything else: roulette, band choice, roughness deep in a path.
 #pragma once
 

@@ -1,0 +1,74 @@
+#pragma once
+/// Where a ray meets surfaces, and what it must not meet again right after.
+
+#include <array>
+#include <cstdint>
+
+#include "base/vec3.h"
+
+namespace vitrail {
+
+/// A face the ray stands on: never hit again at distance zero. Curved faces may be hit at their other root.
+struct Departure {
+  std::uint32_t primitive = 0;
+  std::uint32_t face = 0;
+  bool inside = false;  // the ray goes on inside the solid (for a sheet: on the side against its normal)
+};
+
+/// A few values in place; faces that coincide in one point are a handful. More than `capacity` are dropped.
+template <typename Value, int capacity>
+class Few {
+ public:
+  const Value* begin() const { return values_.data(); }
+  const Value* end() const { return values_.data() + size_; }
+  Value* begin() { return values_.data(); }
+  Value* end() { return values_.data() + size_; }
+  int size() const { return size_; }
+  void clear() { size_ = 0; }
+  void push_back(const Value& value) {
+    if (size_ < capacity) values_[size_++] = value;
+  }
+  const Value& operator[](int index) const { return values_[index]; }
+  Value& operator[](int index) { return values_[index]; }
+
+ private:
+  std::array<Value, capacity> values_{};
+  int size_ = 0;
+};
+
+using Departures = Few<Departure, 6>;
+
+/// One surface passed at a hit.
+struct Crossing {
+  double t = 0;
+  std::uint32_t object = 0;
+  std::uint32_t primitive = 0;
+  std::uint32_t face = 0;
+  bool entering = false;  // from the side the outward normal points to
+};
+
+/// The nearest surface, with everything that coincides with it within rounding. `crossings` holds all of them in an
+/// order that does not depend on the order of objects along the ray (by object id); the rest describes the nearest.
+struct Hit {
+  double t = 0;
+  Vec3 point;           // projected back onto the surface
+  Vec3 normal;          // geometric, unit, outward
+  Vec3 shading_normal;  // equal to normal except on smooth meshes
+  double s = 0, q = 0;  // surface coordinates of flat shapes, metres
+  std::uint32_t object = 0;
+  Few<Crossing, 6> crossings;
+
+  /// What to leave behind when light stays on the side it came from (reflect, scatter, shadow rays) ...
+  Departures back() const { return leave(false); }
+  /// ... and when it goes through.
+  Departures through() const { return leave(true); }
+
+ private:
+  Departures leave(bool pass) const {
+    Departures result;
+    for (const Crossing& c : crossings) result.push_back({c.primitive, c.face, c.entering == pass});
+    return result;
+  }
+};
+
+}  // namespace vitrail

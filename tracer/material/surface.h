@@ -1,0 +1,61 @@
+#pragma once
+/// What one hit does with light: the same answer for camera rays and photons.
+
+#include <cstdint>
+
+#include "geometry/accel.h"
+
+namespace vitrail {
+
+/// One way on: start at hit.point with these departures and media. Weight: what the branch carries of the arriving
+/// light, already includes the material's share and the Fresnel share.
+struct Branch {
+  bool exists = false;
+  Vec3 direction;
+  Rgb weight;
+  Departures departures;
+  MediumSet media;
+};
+
+struct Interaction {
+  /// The ruling medium does not change and nothing opaque is met: go straight on along `transmit`, without an event,
+  /// without a depth count. Everything else is then empty.
+  bool passes = false;
+
+  Vec3 facing_normal;                  // unit, against the arriving direction (shading normal where a mesh is smooth)
+  std::uint32_t object = 0;            // whose surface it is
+  std::uint32_t material = 0;          // of that object
+  std::uint32_t medium_before = kAir;  // ruling object on the arriving side
+  std::uint32_t medium_after = kAir;   // ... and behind the surface
+  double ior_before = 1, ior_after = 1;
+  bool entering = false;  // the ray goes against the outward normal of the surface
+
+  Rgb diffuse;          // albedo d here (pattern resolved); exitant radiance is d E / pi
+  Rgb emission;         // radiance given off here
+  double R = 0, T = 0;  // scalar Fresnel shares at this angle (R + T = 1), also where the material ignores them
+  bool total_internal_reflection = false;
+  Branch reflect, transmit;  // exists == false where the weight is zero in every channel
+  Roughness roughness;       // of the surface; the directions above are those of the smooth surface
+};
+
+/// What a hit does with light that arrives along `direction` inside `media` in a band. `ior_of_camera` takes the
+/// material's camera_ior instead of that of the band (paper.disperse_camera off).
+Interaction interact(const Scene& scene, const Hit& hit, Vec3 direction, const MediumSet& media, std::uint32_t band,
+                     bool ior_of_camera = false);
+
+/// The index of the medium a set rules, for the radiance factor (n_camera / n_here)^2 of surfaces inside glass.
+double ior_in(const Scene& scene, const MediumSet& media, std::uint32_t band);
+
+/// The next hit that is an event, walking straight over interfaces that change nothing.
+struct Arrival {
+  bool escaped = false;
+  Hit hit;                     // hit.point is the event; hit.t the length of the last straight piece only
+  double distance = 0;         // whole way, metres
+  Rgb transmittance{1, 1, 1};  // Beer-Lambert of the whole way in the media passed
+  MediumSet media;             // at arrival, before the surface
+  Interaction event;
+};
+Arrival advance(const Scene& scene, const Intersector& intersector, const Ray& ray, const Departures& departures,
+                const MediumSet& media, std::uint32_t band, bool ior_of_camera = false);
+
+}  // namespace vitrail

@@ -1,0 +1,232 @@
+#pragma once
+/// The lowered scene as types: what the tracer reads, in metres, right-handed, all names resolved to indices.
+/// Field names are those of the JSON; tracer/README.md documents each with its unit.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "base/frame.h"
+#include "base/vec3.h"
+
+namespace vitrail {
+
+struct Image {
+  int width = 1, height = 1;
+};
+
+enum class CameraKind { perspective, orthographic };
+
+/// Perspective: direction = forward + sx half_width right + sy half_height up. Orthographic: the same offsets on the
+/// origin.
+struct Camera {
+  CameraKind kind = CameraKind::perspective;
+  Vec3 position, forward, right, up;  // orthonormal, right = forward x up
+  double half_width = 1, half_height = 1;
+};
+
+/// One part of the spectrum with one refraction index per material; the weights of all bands sum to (1, 1, 1).
+struct Band {
+  std::string name;
+  Rgb weight;
+  std::optional<double> wavelength_nm;
+};
+
+// --- material --------------------------------------------------------------------------------------------------------
+
+/// Two colours in squares of `size` metres along the surface coordinates of a flat shape.
+struct Checker {
+  std::array<Rgb, 2> colors;
+  double size = 1;
+};
+using Texture = std::variant<Rgb, Checker>;
+
+/// The colour of a texture at surface coordinates (s, t) in metres.
+Rgb texture_at(const Texture& texture, double s, double t);
+/// The largest value per channel anywhere on the surface.
+Rgb texture_peak(const Texture& texture);
+
+struct NoRoughness {};
+/// The paper's equation 8; `value` is its lambda.
+struct Equation8 {
+  double value = 0;
+};
+/// Microfacets [W07 eq. 33].
+struct Ggx {
+  double alpha = 0;
+};
+using Roughness = std::variant<NoRoughness, Equation8, Ggx>;
+
+struct Material {
+  std::string name;
+  Texture diffuse;
+  Rgb reflection, transmission;
+  std::vector<double> ior_by_band, ior_minus_one_by_band;
+  double camera_ior = 1;
+  bool fresnel = false;
+  Rgb absorption_per_m;
+  Texture emission;  // radiance, W / (sr m2)
+  Roughness roughness;
+
+  bool transmits() const { return !is_black(transmission); }
+};
+
+// --- shapes ----------------------------------------------------------------------------------------------------------
+
+struct SphereShape {
+  Vec3 center;
+  double radius = 1;
+};
+/// Infinite; as a glass object the half-space below its normal.
+struct PlaneShape {
+  Vec3 point, normal;
+};
+/// center + a u + b v for a, b in [-1, 1]; normal u x v.
+struct RectangleShape {
+  Vec3 center, u, v;
+};
+struct DiscShape {
+  Vec3 center, normal;
+  double radius = 1;
+};
+struct BoxShape {
+  Vec3 min, max;
+  Frame frame;
+};
+/// Closed by its two end discs.
+struct CylinderShape {
+  Vec3 from, to;
+  double radius = 1;
+};
+/// A closed frustum; one of the radii may be 0.
+struct ConeShape {
+  Vec3 from, to;
+  double radius_from = 1, radius_to = 0;
+};
+/// A polygon in x, y (counter-clockwise) extruded along z from -height/2 to height/2.
+struct PrismShape {
+  std::vector<std::array<double, 2>> corners;
+  double height = 1;
+  Frame frame;
+};
+/// Two spherical faces about the z axis and a cylindrical rim, centred on the origin. The front faces -z, the back +z;
+/// a positive radius is convex, a negative one concave, 0 is flat. `thickness` is at the axis.
+struct LensShape {
+  double radius_front = 0, radius_back = 0, thickness = 1, diameter = 1;
+  Frame frame;
+};
+/// Triangles from a PLY or OBJ file; closed and outward where the material transmits.
+struct MeshShape {
+  std::string file;  // resolved against the folder of the JSON
+  bool smooth = true;
+  Frame frame;
+};
+using Shape = std::variant<SphereShape, PlaneShape, RectangleShape, DiscShape, BoxShape, CylinderShape, ConeShape,
+                           PrismShape, LensShape, MeshShape>;
+
+struct Object {
+  std::string name;
+  std::uint32_t material = 0;
+  int priority = 0;  // the highest priority among the solids containing a point rules there
+  Shape shape;
+};
+
+// --- lights ----------------------------------------------------------------------------------------------------------
+
+/// Light from infinity; `direction` is the way the light goes, `irradiance` that of a facing surface, W/m2.
+struct DirectionalLight {
+  Vec3 direction;
+  Rgb irradiance;
+  double angular_diameter_deg = 0;
+};
+struct PointLight {
+  Vec3 position;
+  Rgb intensity;  // W/sr
+};
+/// A point light limited to a cone of full angle cone_deg with a sharp edge.
+struct SpotLight {
+  Vec3 position, direction;
+  Rgb intensity;
+  double cone_deg = 90;
+};
+/// One-sided, on the side of the normal. Lambertian with `radiance`, or collimated with `irradiance` along the normal.
+struct AreaLight {
+  std::variant<RectangleShape, DiscShape> shape;
+  bool collimated = false;
+  Rgb radiance;    // W / (sr m2), 0 if collimated
+  Rgb irradiance;  // W / m2, 0 unless collimated
+};
+/// Radiance from everywhere: constant, or a lat-long image.
+struct EnvironmentLight {
+  Rgb radiance;
+  std::string file;  // empty for the constant one; resolved against the folder of the JSON
+};
+using Emitter = std::variant<DirectionalLight, PointLight, SpotLight, AreaLight, EnvironmentLight>;
+
+struct Light {
+  std::string name;
+  Emitter emitter;
+};
+
+// --- transport, paper, plan, settings
+// ----------------------------------------------------------------------------------
+
+enum class Indirect { none, photons, ambient };
+
+struct Transport {
+  Indirect indirect = Indirect::none;
+  Rgb ambient;  // irradiance on every diffuse surface, W/m2, 0 unless indirect is ambient
+  int max_reflections = 8, max_transmissions = 64;
+};
+
+/// Literal readings of the paper, each switched on by name.
+struct Paper {
+  bool tir_drop = false;            // "tir": "drop" instead of "reflect"
+  bool refraction_literal = false;  // "refraction": "literal" instead of "corrected"
+  bool literal_sum = false;
+  bool dispersion_span = false;  // "dispersion": "span" instead of "step"
+  enum class DispersionReference { red, d_line, middle } dispersion_reference = DispersionReference::red;
+  bool disperse_camera = true;
+  int rough_samples = 1;
+};
+
+/// Which phenomena are rendered.
+struct Plan {
+  bool diffusion = true, reflection = true, refraction = true, total_internal_reflection = true;
+  bool coloured_transmission = true, absorption = true, caustic = true, roughness = true, dispersion = true;
+  bool shadow = true, indirect_light = true;
+};
+
+struct Settings {
+  int samples = 1;  // per pixel
+  std::uint64_t photons = 0;
+  double gather_radius_m = 0;
+  std::uint64_t seed = 0;
+  int rough_samples = 1, final_gather_rays = 0;
+  double memory_limit_mb = 0;  // 0: no limit
+  std::string solver = "auto";
+};
+
+struct Scene {
+  std::string title, scene_hash;
+  Image image;
+  Camera camera;
+  std::vector<Band> bands;
+  std::vector<Material> materials;
+  std::vector<Object> objects;
+  std::vector<Light> lights;
+  Transport transport;
+  Paper paper;
+  Plan plan;
+  Settings settings;
+
+  /// What was subtracted from every position to bring the scene to the origin; add it to print a world position.
+  Vec3 shift;
+
+  const Material& material_of(std::uint32_t object) const { return materials[objects[object].material]; }
+};
+
+}  // namespace vitrail
