@@ -58,6 +58,13 @@ class Checker(Part):
 Texture = Colour | Checker
 
 
+Glass = Literal[
+    "N-BK7", "N-K5", "N-BAK4", "N-SK16", "N-LAK8", "N-LASF44", "F2", "N-F2", "SF10", "N-SF10", "SF11", "N-SF11", "N-SF66",
+    "fused-silica", "water",
+]  # fmt: skip
+"""The catalogue glasses a scene may name; ``optics/glass.py`` holds their constants."""
+
+
 # --- material -------------------------------------------------------------------------------------------------------
 
 
@@ -96,7 +103,7 @@ class Material(Part):
     fresnel: Annotated[bool, Field(strict=True)] = False
     roughness: Annotated[float, Field(ge=0, le=1, strict=True)] | Ggx = 0.0
     dispersion: Finite | Abbe | None = None
-    glass: str | None = None
+    glass: Glass | None = None
     attenuation: Attenuation | None = None
     absorption_per_m: Colour | None = None
     emission: Colour | Checker | None = None
@@ -292,7 +299,9 @@ class Prism(Part):
 
 
 class Lens(Part):
-    """Two spherical faces about the z axis, centred on the origin; a positive radius is convex, 0 is flat.
+    """Two spherical faces about the z axis, centred on the origin; positive radii are convex, 0 is flat.
+
+    The front face has its vertex at z = -thickness / 2 (light along +z meets it first), the back face at +thickness / 2.
 
     ``thickness`` is at the axis, ``diameter`` that of the cylindrical rim.
     """

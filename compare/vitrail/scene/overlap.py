@@ -1,0 +1,187 @@
+"""How far two solids reach into each other.
+
+Exact for sphere and sphere, sphere and box, box and box (turned or not), and for a half space with any of them. Every
+other pair is searched for a point inside both: a point found proves the overlap, since the sign of ``depth_in`` is
+exact; none found is no proof, although the search cannot miss much for convex shapes. Meshes are not tested.
+"""
+
+from __future__ import annotations
+
+import itertools
+from dataclasses import dataclass
+from typing import assert_never
+
+import numpy as np
+
+from vitrail.scene.inside import depth_in
+from vitrail.scene.model import Box, Cone, Cylinder, Disc, Lens, Mesh, Object, Plane, Prism, Rectangle, Sphere
+from vitrail.scene.placement import Placed, place
+
+TOUCH = 1e-9
+"""Solids that reach into each other by less than this share of their size and distance from the origin only touch."""
+
+_STARTS = 4096
+_ROUNDS = 40
+
+
+@dataclass(frozen=True)
+class Overlap:
+    """``depth_m`` > 0 where the solids share volume; ``exact`` tells whether 0 or less is a proof that they do not."""
+
+    depth_m: float
+    exact: bool
+
+    def __bool__(self) -> bool:
+        return self.depth_m > 0
+
+
+def overlap(a: Object, b: Object) -> Overlap:
+    """The depth of the volume that two solids share, less the tolerance for touching; symmetric in its arguments."""
+    first, second = place(a), place(b)
+    exact = _exact_depth(first, second)
+    if exact is None:
+        exact = _exact_depth(second, first)
+    slack = TOUCH * max(_size(first), _size(second))
+    if exact is not None:
+        return Overlap(exact - slack, exact=True)
+    return Overlap(_searched_depth(a, b, first, second) - slack, exact=False)
+
+
+# --- exact pairs ----------------------------------------------------------------------------------------------------
+
+
+def _exact_depth(a: Placed, b: Placed) -> float | None:
+    """Penetration depth of the pairs that have a closed form, None for the others."""
+    match a.shape, b.shape:
+        case Sphere() as one, Sphere() as two:
+            return one.radius + two.radius - float(np.linalg.norm(np.subtract(one.center, two.center)))
+        case Sphere() as ball, Box() as box:
+            return _sphere_in_box(ball, box, b)
+        case Box(), Box():
+            return _separating_axes(_corners(a), _axes(a), _corners(b), _axes(b))
+        case Plane() as plane, Sphere() as ball:
+            return ball.radius - _heights(plane, np.array([ball.center]))[0]
+        case Plane() as plane, Box():
+            return -float(_heights(plane, _corners(b)).min())
+        case Plane() as one, Plane() as two:
+            return _half_spaces(one, two)
+        case _:
+            return None
+
+
+def _sphere_in_box(ball: Sphere, box: Box, placed: Placed) -> float:
+    center = np.array(placed.frame.to_local(ball.center))
+    nearest = np.clip(center, box.min, box.max)
+    distance = float(np.linalg.norm(center - nearest))
+    if distance > 0:
+        return ball.radius - distance
+    return ball.radius + float(np.minimum(center - box.min, np.subtract(box.max, center)).min())
+
+
+def _separating_axes(corners_a: np.ndarray, axes_a: np.ndarray, corners_b: np.ndarray, axes_b: np.ndarray) -> float:
+    """The smallest overlap of the projections on the 15 axes that can separate two boxes; negative when one does."""
+    candidates = [*axes_a, *axes_b, *(np.cross(p, q) for p in axes_a for q in axes_b)]
+    depth = np.inf
+    for axis in candidates:
+        size = np.linalg.norm(axis)
+        if size < 1e-9:  # Parallel edges add no axis of their own.
+            continue
+        along_a, along_b = corners_a @ (axis / size), corners_b @ (axis / size)
+        depth = min(depth, along_a.max() - along_b.min(), along_b.max() - along_a.min())
+    return float(depth)
+
+
+def _half_spaces(one: Plane, two: Plane) -> float:
+    """Two half spaces are apart only when their normals are opposite and the gap lies between them."""
+    first, second = _unit(one.normal), _unit(two.normal)
+    if np.linalg.norm(first + second) > 1e-12:
+        return np.inf
+    return float((np.subtract(one.point, two.point)) @ first)
+
+
+def _heights(plane: Plane, points: np.ndarray) -> np.ndarray:
+    """Signed distances above a plane."""
+    return (points - plane.point) @ _unit(plane.normal)
+
+
+def _unit(vector: tuple[float, float, float]) -> np.ndarray:
+    return np.asarray(vector) / np.linalg.norm(vector)
+
+
+def _axes(placed: Placed) -> np.ndarray:
+    return np.array(placed.frame.rotation).T
+
+
+def _corners(placed: Placed) -> np.ndarray:
+    box = placed.shape
+    assert isinstance(box, Box)
+    return np.array([placed.frame.point(corner) for corner in itertools.product(*zip(box.min, box.max, strict=True))])
+
+
+# --- every other pair -----------------------------------------------------------------------------------------------
+
+
+def _searched_depth(a: Object, b: Object, first: Placed, second: Placed) -> float:
+    """The largest depth inside both that a search finds: random points, then smaller and smaller steps from the best."""
+    rough = _ball_around(first), _ball_around(second)
+    if any(ball is None for ball in rough) and not any(isinstance(each.shape, Plane) for each in (first, second)):
+        return -np.inf
+    center, radius = min((ball for ball in rough if ball is not None), key=lambda ball: ball[1])
+    if all(ball is not None for ball in rough):
+        (one, r_one), (two, r_two) = rough  # type: ignore[misc]
+        if np.linalg.norm(one - two) > r_one + r_two:
+            return -np.inf
+    random = np.random.default_rng(0)
+    points = center + radius * random.uniform(-1, 1, (_STARTS, 3))
+
+    def common(candidates: np.ndarray) -> np.ndarray:
+        return np.minimum(depth_in(a, candidates), depth_in(b, candidates))
+
+    depths = common(points)
+    best, depth = points[depths.argmax()], float(depths.max())
+    step = radius
+    for _ in range(_ROUNDS):
+        candidates = best + step * random.uniform(-1, 1, (256, 3))
+        depths = common(candidates)
+        if depths.max() > depth:
+            best, depth = candidates[depths.argmax()], float(depths.max())
+        else:
+            step *= 0.5
+    return depth
+
+
+def _ball_around(placed: Placed) -> tuple[np.ndarray, float] | None:
+    """Center and radius of a sphere around a solid; None for half spaces, flat shapes and meshes."""
+    shape, frame = placed.shape, placed.frame
+    match shape:
+        case Sphere():
+            return np.array(shape.center), shape.radius
+        case Box():
+            return _centered(_corners(placed))
+        case Cylinder() | Cone():
+            radii = (shape.radius, shape.radius) if isinstance(shape, Cylinder) else (shape.radius_from, shape.radius_to)
+            half = np.linalg.norm(np.subtract(shape.to, shape.from_)) / 2
+            return np.add(shape.from_, shape.to) / 2, float(np.hypot(half, max(radii)))
+        case Prism():
+            outer = [frame.point((x, y, z)) for x, y in shape.corners for z in (-shape.height / 2, shape.height / 2)]
+            return _centered(np.array(outer))
+        case Lens():
+            depth = shape.thickness / 2 + (shape.diameter / 2 if min(shape.radius_front, shape.radius_back) < 0 else 0)
+            return np.array(frame.origin), float(np.hypot(shape.diameter / 2, depth))
+        case Plane() | Rectangle() | Disc() | Mesh():
+            return None
+        case _:
+            assert_never(shape)
+
+
+def _centered(points: np.ndarray) -> tuple[np.ndarray, float]:
+    center = (points.min(axis=0) + points.max(axis=0)) / 2
+    return center, float(np.linalg.norm(points - center, axis=1).max())
+
+
+def _size(placed: Placed) -> float:
+    """The size of the numbers that describe a solid, for tolerances, metres."""
+    ball = _ball_around(placed)
+    if ball is None:
+        return float(np.linalg.norm(placed.shape.point)) if isinstance(placed.shape, Plane) else 0.0
+    return float(np.linalg.norm(ball[0])) + ball[1]
