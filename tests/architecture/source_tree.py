@@ -13,7 +13,7 @@ PACKAGE = ROOT / "compare" / "vitrail"
 TRACER = ROOT / "tracer"
 
 INCLUDE = re.compile(r'^\s*#\s*include\s+(["<])([^">]+)[">]', re.MULTILINE)
-CPP_SUFFIXES = (".h", ".cpp")
+CPP_SUFFIXES = (".h", ".cc", ".cpp")
 
 
 def project_files() -> list[Path]:

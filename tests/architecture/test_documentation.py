@@ -93,7 +93,7 @@ def test_every_formula_tag_is_explained() -> None:
     }
     unknown = []
     for path in project_files():
-        if path.suffix not in {".py", ".h", ".cpp", ".yaml", ".md"}:
+        if path.suffix not in {".py", ".h", ".cc", ".cpp", ".yaml", ".md"}:
             continue
         for letter, place in TAG.findall((ROOT / path).read_text(encoding="utf-8")):
             number = re.match(r"\s(\d+(?:\.\d+)*)", place)

@@ -34,7 +34,7 @@ def test_no_file_has_a_vague_name() -> None:
 
 def test_files_are_short_enough_to_read() -> None:
     long = []
-    for path in sources(".py", ".h", ".cpp", ".sh"):
+    for path in sources(".py", ".h", ".cc", ".cpp", ".sh"):
         lines = len((ROOT / path).read_text(encoding="utf-8").splitlines())
         if lines > LONG_FILES.get(path, LONGEST_FILE):
             long.append(f"{path}: {lines} lines")
@@ -71,7 +71,7 @@ def test_every_python_module_says_what_it_is_about() -> None:
 def test_every_cpp_file_says_what_it_is_about() -> None:
     silent = [
         path
-        for path in sources(".h", ".cpp")
+        for path in sources(".h", ".cc", ".cpp")
         if path.parts[0] == "tracer" and not re.match(r"\s*(//|/\*)", (ROOT / path).read_text(encoding="utf-8"))
     ]
     assert not silent, f"open each with a comment: {silent}"
