@@ -1,0 +1,1 @@
+"""Back ends: one scene and one plan become the input of one engine, or are refused."""

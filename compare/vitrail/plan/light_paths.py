@@ -1,0 +1,104 @@
+"""Caustic paths: light -> specular objects -> diffuse receiver -> camera, as bounds allow them.
+
+The reasoning only ever drops what geometry proves impossible: a path is kept when the light may reach the specular
+object, the object may send light to the receiver, and the camera may see the receiver, directly or by way of any
+specular object in view. What stands in between is ignored.
+"""
+
+from __future__ import annotations
+
+from vitrail.plan.bounds import bounds_of
+from vitrail.plan.light_reach import may_reach
+from vitrail.plan.plan import CausticPath
+from vitrail.plan.view import View, view_of
+from vitrail.scene.model import (
+    Box,
+    Cone,
+    Cylinder,
+    Disc,
+    Material,
+    Object,
+    Plane,
+    Prism,
+    Rectangle,
+    Scene,
+    Sphere,
+)
+from vitrail.scene.placement import place
+
+
+def specular_objects(scene: Scene) -> tuple[Object, ...]:
+    return tuple(item for item in scene.objects if scene.material_of(item).is_specular)
+
+
+def diffuse_objects(scene: Scene) -> tuple[Object, ...]:
+    return tuple(item for item in scene.objects if scene.material_of(item).is_diffuse)
+
+
+def directly_visible(scene: Scene) -> tuple[Object, ...]:
+    """Objects that may be in the picture themselves."""
+    view = view_of(scene.camera, scene.image)
+    return tuple(item for item in scene.objects if _may_see(view, item))
+
+
+def visible(scene: Scene) -> tuple[Object, ...]:
+    """Objects that may be seen: directly, or in or through a specular object that is in the picture."""
+    direct = directly_visible(scene)
+    if any(scene.material_of(item).is_specular for item in direct):
+        return scene.objects
+    return direct
+
+
+def caustic_paths(scene: Scene) -> tuple[CausticPath, ...]:
+    """Every path by which specularly turned light may fall on a diffuse surface that may be seen.
+
+    Light goes on from one specular object to the next, so an object counts as lit when a chain of them leads to it;
+    the path names the last one before the receiver.
+    """
+    receivers = [item for item in visible(scene) if scene.material_of(item).is_diffuse]
+    if not receivers:
+        return ()
+    return tuple(
+        CausticPath(light.name, specular.name, receiver.name)
+        for light in scene.lights
+        for specular in _lit_by_chains(scene, light.name)
+        for receiver in receivers
+        if may_send(scene.material_of(specular), specular, receiver)
+    )
+
+
+def may_send(material: Material, source: Object, target: Object) -> bool:
+    """Whether light that left ``source`` in a mirrored or refracted direction may fall on ``target``.
+
+    An opaque convex or flat mirror never lights itself; everything else may light everything.
+    """
+    if source is not target:
+        return True
+    return material.is_transmissive or not is_convex_or_flat(source)
+
+
+def _lit_by_chains(scene: Scene, light_name: str) -> tuple[Object, ...]:
+    """Specular objects that a light reaches directly, or by way of others."""
+    light = next(item for item in scene.lights if item.name == light_name)
+    speculars = specular_objects(scene)
+    return speculars if any(may_reach(light, item) for item in speculars) else ()
+
+
+def _may_see(view: View, item: Object) -> bool:
+    shape = place(item).shape
+    return view.may_see_plane(shape) if isinstance(shape, Plane) else view.may_see(bounds_of(item))
+
+
+def is_convex_or_flat(item: Object) -> bool:
+    return isinstance(item.shape, (Sphere, Plane, Rectangle, Disc, Box, Cylinder, Cone)) or _is_convex_prism(item.shape)
+
+
+def _is_convex_prism(shape: object) -> bool:
+    """All corners of a prism turn the same way."""
+    if not isinstance(shape, Prism):
+        return False
+    corners = shape.corners
+    turns = []
+    for a, b, c in zip(corners, corners[1:] + corners[:1], corners[2:] + corners[:2], strict=True):
+        turns.append((b[0] - a[0]) * (c[1] - b[1]) - (b[1] - a[1]) * (c[0] - b[0]))
+    return min(turns) >= 0

@@ -1,0 +1,94 @@
+"""Which light may reach which object: refused only where geometry proves it impossible."""
+
+from __future__ import annotations
+
+import math
+from typing import assert_never
+
+from vitrail.plan.bounds import Bounds, bounds_of
+from vitrail.scene.model import Area, Directional, Environment, Light, Object, Plane, Point, Spot
+from vitrail.scene.placement import place
+from vitrail.scene.vector import Vec, cross, dot, length, subtract, unit
+
+ANGLE_SLACK = 1e-9
+"""Radians added to every cone before it is used as a proof of darkness."""
+
+
+def is_lit(light: Light) -> bool:
+    """Whether a light gives any light at all; an environment image counts as bright."""
+    emitter = light.emitter
+    match emitter:
+        case Directional():
+            return max(emitter.irradiance) > 0
+        case Point() | Spot():
+            return max(emitter.intensity) > 0
+        case Area():
+            return max(emitter.radiance or emitter.irradiance or (0.0,)) > 0
+        case Environment():
+            return emitter.radiance is None or max(emitter.radiance) > 0
+        case _:
+            assert_never(emitter)
+
+
+def may_reach(light: Light, item: Object) -> bool:
+    """Whether light may fall on an object, ignoring what stands in between."""
+    if not is_lit(light):
+        return False
+    bounds, shape = bounds_of(item), place(item).shape
+    emitter = light.emitter
+    match emitter:
+        case Directional():
+            return not (isinstance(shape, Plane) and _is_edge_on(emitter, shape))
+        case Point() | Environment():
+            return True
+        case Spot():
+            return _in_cone(emitter, bounds)
+        case Area():
+            return _in_front(emitter, bounds)
+        case _:
+            assert_never(emitter)
+
+
+def _is_edge_on(sun: Directional, plane: Plane) -> bool:
+    return sun.angular_diameter_deg == 0 and dot(unit(sun.direction), unit(plane.normal)) == 0
+
+
+def _in_cone(spot: Spot, bounds: Bounds) -> bool:
+    """The sphere around the box, seen from the lamp, against the cone."""
+    if not bounds.is_finite:
+        return True
+    away = subtract(bounds.centre, spot.position)
+    distance = length(away)
+    if distance <= bounds.radius_m:
+        return True
+    off_axis = _angle(away, spot.direction)
+    return off_axis <= math.radians(spot.cone_deg) / 2 + math.asin(bounds.radius_m / distance) + ANGLE_SLACK
+
+
+def _in_front(lamp: Area, bounds: Bounds) -> bool:
+    """Some corner lies on the side to which the lamp shines, and inside the beam if it is collimated."""
+    if not bounds.is_finite:
+        return True
+    centre, normal, reach = _emitting_face(lamp)
+    heights = [dot(normal, subtract(corner, centre)) for corner in bounds.corners]
+    if max(heights) <= 0:
+        return False
+    if not lamp.collimated:
+        return True
+    away = subtract(bounds.centre, centre)
+    beside = length(cross(normal, away))
+    return beside <= (reach + bounds.radius_m) * (1 + ANGLE_SLACK)
+
+
+def _emitting_face(lamp: Area) -> tuple[Vec, Vec, float]:
+    """Centre, unit normal and the radius of the circle around the lamp."""
+    if lamp.rectangle is not None:
+        u, v = lamp.rectangle.u, lamp.rectangle.v
+        return lamp.rectangle.center, unit(cross(u, v)), math.hypot(length(u), length(v))
+    assert lamp.disc is not None
+    return lamp.disc.center, unit(lamp.disc.normal), lamp.disc.radius
+
+
+def _angle(a: Vec, b: Vec) -> float:
+    """Angle between two vectors, exact for small ones too."""
+    return math.atan2(length(cross(a, b)), dot(a, b))

@@ -1,0 +1,53 @@
+"""The plan: what a scene requires, phenomenon by phenomenon, with evidence and cost."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from vitrail.scene.phenomenon import Phenomenon
+
+
+@dataclass(frozen=True)
+class Requirement:
+    """One phenomenon: whether it must be modelled, why (or why not), and what it costs."""
+
+    required: bool
+    evidence: tuple[str, ...]
+    cost: str
+
+
+@dataclass(frozen=True)
+class CausticPath:
+    """light -> specular object -> diffuse receiver -> camera, by names."""
+
+    light: str
+    specular: str
+    receiver: str
+
+
+@dataclass(frozen=True)
+class Chain:
+    """The longest specular chain; ``proven`` by geometry, else the limits of the scene itself."""
+
+    reflections: int
+    transmissions: int
+    proven: bool
+    reason: str
+
+
+@dataclass(frozen=True)
+class Plan:
+    """Requirements by phenomenon, and the facts that back ends and budget take from the analysis."""
+
+    entries: Mapping[Phenomenon, Requirement]
+    caustic_paths: tuple[CausticPath, ...]
+    chain: Chain
+    warnings: tuple[str, ...] = field(default=())
+
+    def requires(self, phenomenon: Phenomenon) -> bool:
+        return self.entries[phenomenon].required
+
+    def flags(self) -> dict[str, bool]:
+        """Every phenomenon by name, for the lowered scene."""
+        return {phenomenon.value: self.requires(phenomenon) for phenomenon in Phenomenon}
