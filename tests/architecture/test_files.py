@@ -15,7 +15,7 @@ LONGEST_FUNCTION = 60
 """Lines. Functions aim at 40; the rest is room for one long signature or one exhaustive match."""
 
 LONG_FILES = {
-    Path("compare/vitrail/scene/model.py"): 600,
+    Path("compare/vitrail/scene/model.py"): 640,
 }
 """Files that are long for a reason: the whole scene language reads best in one piece."""
 
@@ -68,12 +68,14 @@ def test_every_python_module_says_what_it_is_about() -> None:
     assert not silent, f"open each with a docstring: {silent}"
 
 
-def test_every_cpp_file_says_what_it_is_about() -> None:
-    silent = [
-        path
-        for path in sources(".h", ".cc", ".cpp")
-        if path.parts[0] == "tracer" and not re.match(r"\s*(//|/\*)", (ROOT / path).read_text(encoding="utf-8"))
-    ]
+def test_every_cpp_unit_says_what_it_is_about() -> None:
+    """A header opens with a comment, before or after its guard; so does a source file that has no header."""
+    silent = []
+    for path in sources(".h", ".cc", ".cpp"):
+        if path.parts[0] != "tracer" or (path.suffix != ".h" and (ROOT / path).with_suffix(".h").exists()):
+            continue
+        if not re.match(r"(\s|#pragma once)*//", (ROOT / path).read_text(encoding="utf-8")):
+            silent.append(path)
     assert not silent, f"open each with a comment: {silent}"
 
 
