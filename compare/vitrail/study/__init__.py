@@ -1,0 +1,1 @@
+"""Studies: what accuracy costs, where renderers stop being right, and whether the harness notices a defect."""
