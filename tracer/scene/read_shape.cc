@@ -1,0 +1,163 @@
+#include <cmath>
+
+#include "scene/read_parts.h"
+
+namespace vitrail {
+
+namespace {
+
+/// Rows of a rotation: orthonormal and right-handed within the digits that a decimal print keeps.
+Frame read_frame(const JsonValue& value) {
+  Frame frame;
+  if (!value.object({"origin", "rotation"}, {"identity"})) return frame;
+  frame.origin = value.at("origin").vector();
+  const JsonValue rotation = value.at("rotation");
+  const std::vector<JsonValue> rows = rotation.array(3);
+  if (rows.empty()) return frame;
+  for (int i = 0; i < 3; ++i) frame.row[i] = rows[i].vector();
+
+  const double slack = 1e-9;
+  const Vec3 third = cross(frame.row[0], frame.row[1]);
+  if (!(length(third - frame.row[2]) <= slack) || !(std::abs(length(frame.row[0]) - 1) <= slack) ||
+      !(std::abs(length(frame.row[1]) - 1) <= slack) || !(std::abs(dot(frame.row[0], frame.row[1])) <= slack))
+    rotation.fault("is not a rotation", "write three rows of unit length, perpendicular, the third the cross product");
+  frame.identity = frame.row[0] == Vec3{1, 0, 0} && frame.row[1] == Vec3{0, 1, 0} && frame.row[2] == Vec3{0, 0, 1};
+  return frame;
+}
+
+BoxShape read_box(const JsonValue& value) {
+  value.object({"kind", "min", "max", "frame"});
+  BoxShape box{value.at("min").vector(), value.at("max").vector(), read_frame(value.at("frame"))};
+  if (value.has("min") && value.has("max") &&
+      !(box.min.x < box.max.x && box.min.y < box.max.y && box.min.z < box.max.z))
+    value.fault("has no volume", "every coordinate of min must be below that of max");
+  return box;
+}
+
+void refuse_same_ends(const JsonValue& value, Vec3 from, Vec3 to) {
+  if (value.has("from") && value.has("to") && !(length_squared(to - from) > 0))
+    value.fault("has the same point for `from` and `to`", "move one of them");
+}
+
+CylinderShape read_cylinder(const JsonValue& value) {
+  value.object({"kind", "from", "to", "radius"});
+  CylinderShape shape{value.at("from").vector(), value.at("to").vector(), value.at("radius").number(Range::positive())};
+  refuse_same_ends(value, shape.from, shape.to);
+  return shape;
+}
+
+ConeShape read_cone(const JsonValue& value) {
+  value.object({"kind", "from", "to", "radius_from", "radius_to"});
+  ConeShape shape{value.at("from").vector(), value.at("to").vector(),
+                  value.at("radius_from").number(Range::not_negative()),
+                  value.at("radius_to").number(Range::not_negative())};
+  refuse_same_ends(value, shape.from, shape.to);
+  if (shape.radius_from == shape.radius_to) value.fault("has equal radii", "write a cylinder instead");
+  return shape;
+}
+
+PrismShape read_prism(const JsonValue& value) {
+  value.object({"kind", "corners", "height", "frame"});
+  PrismShape shape;
+  const JsonValue corners = value.at("corners");
+  for (const JsonValue& corner : corners.array()) {
+    const std::vector<JsonValue> xy = corner.array(2);
+    if (!xy.empty()) shape.corners.push_back({xy[0].number(), xy[1].number()});
+  }
+  shape.height = value.at("height").number(Range::positive());
+  shape.frame = read_frame(value.at("frame"));
+
+  // Ask for a polygon that has an inside on its left.
+  double area = 0;
+  for (std::size_t i = 0; i < shape.corners.size(); ++i) {
+    const auto &a = shape.corners[i], &b = shape.corners[(i + 1) % shape.corners.size()];
+    if (a == b) corners.fault("has the same corner twice in a row", "drop one of them");
+    area += a[0] * b[1] - b[0] * a[1];
+  }
+  if (shape.corners.size() < 3 || !(area > 0))
+    corners.fault("is no polygon with a positive area", "list at least three corners counter-clockwise");
+  return shape;
+}
+
+LensShape read_lens(const JsonValue& value) {
+  value.object({"kind", "radius_front", "radius_back", "thickness", "diameter", "frame"});
+  LensShape lens{value.at("radius_front").number(), value.at("radius_back").number(),
+                 value.at("thickness").number(Range::positive()), value.at("diameter").number(Range::positive()),
+                 read_frame(value.at("frame"))};
+
+  // The faces may curve at most to a hemisphere, and must leave some rim between them.
+  double rim = lens.thickness;
+  for (const double radius : {lens.radius_front, lens.radius_back}) {
+    const double half = lens.diameter / 2;
+    if (radius == 0) continue;
+    if (!(std::abs(radius) >= half)) {
+      value.fault("has a face whose radius is below half the diameter", "enlarge the radius or reduce the diameter");
+      return lens;
+    }
+    const double sag =
+        half * half / (std::abs(radius) + std::sqrt((std::abs(radius) - half) * (std::abs(radius) + half)));
+    rim -= radius > 0 ? sag : -sag;
+  }
+  if (!(rim >= 0)) value.fault("has faces that cross inside the rim", "enlarge the thickness or reduce the diameter");
+  return lens;
+}
+
+MeshShape read_mesh(const JsonValue& value, const std::string& folder) {
+  value.object({"kind", "file", "smooth", "frame"});
+  return {beside(folder, value.at("file").string()), value.at("smooth").boolean(), read_frame(value.at("frame"))};
+}
+
+}  // namespace
+
+std::string beside(const std::string& folder, const std::string& file) {
+  return file.empty() || file.front() == '/' || folder.empty() ? file : folder + "/" + file;
+}
+
+RectangleShape read_rectangle(const JsonValue& value) {
+  value.object({"kind", "center", "u", "v"});
+  const RectangleShape shape{value.at("center").vector(), value.at("u").vector(), value.at("v").vector()};
+  const double size = length(shape.u) * length(shape.v);
+  if (value.has("u") && value.has("v") && !(size > 0 && std::abs(dot(shape.u, shape.v)) <= 1e-9 * size))
+    value.fault("has half edges that are zero or not perpendicular", "write two perpendicular vectors u and v");
+  return shape;
+}
+
+DiscShape read_disc(const JsonValue& value) {
+  value.object({"kind", "center", "normal", "radius"});
+  return {value.at("center").vector(), value.at("normal").unit_vector(), value.at("radius").number(Range::positive())};
+}
+
+Shape read_shape(const JsonValue& value, const std::string& folder) {
+  if (!value.is_object() || !value.has("kind")) {
+    value.fault("has no `kind`", "write an object with its kind and dimensions");
+    return SphereShape{};
+  }
+  switch (value.at("kind").word(
+      {"sphere", "plane", "rectangle", "disc", "box", "cylinder", "cone", "prism", "lens", "mesh"})) {
+    case 1:
+      value.object({"kind", "point", "normal"});
+      return PlaneShape{value.at("point").vector(), value.at("normal").unit_vector()};
+    case 2:
+      return read_rectangle(value);
+    case 3:
+      return read_disc(value);
+    case 4:
+      return read_box(value);
+    case 5:
+      return read_cylinder(value);
+    case 6:
+      return read_cone(value);
+    case 7:
+      return read_prism(value);
+    case 8:
+      return read_lens(value);
+    case 9:
+      return read_mesh(value, folder);
+    default:
+      break;
+  }
+  value.object({"kind", "center", "radius"});
+  return SphereShape{value.at("center").vector(), value.at("radius").number(Range::positive())};
+}
+
+}  // namespace vitrail
