@@ -1,0 +1,56 @@
+"""``vitrail emit``: the input of one engine, as files."""
+
+from __future__ import annotations
+
+from enum import StrEnum
+from pathlib import Path
+from typing import assert_never
+
+import typer
+
+from vitrail.commands.exit_code import exit_codes
+from vitrail.commands.output import print_json, write_whole
+from vitrail.commands.settings_options import QUALITY, SETTINGS, parse_settings
+
+
+class EngineName(StrEnum):
+    TRACER = "tracer"
+    POVRAY = "povray"
+
+
+def emit(
+    engine: EngineName = typer.Argument(..., help="The engine to write for."),
+    scene: Path = typer.Argument(..., metavar="SCENE", help="A scene file."),
+    out: Path = typer.Option(..., "--out", help="The folder to write into."),
+    quality: str = QUALITY,
+    settings: list[str] = SETTINGS,
+    as_json: bool = typer.Option(False, "--json", help="Print the names of the files as JSON."),
+) -> None:
+    with exit_codes():
+        texts = emitted(engine, scene, quality, settings)
+        for name, text in texts.items():
+            write_whole(out / name, text)
+    names = [str(out / name) for name in texts]
+    print_json({"files": names}) if as_json else typer.echo("\n".join(names))
+
+
+def emitted(engine: EngineName, path: Path, quality: str, assignments: list[str]) -> dict[str, str]:
+    """File name to text, all made before the first is written."""
+    from vitrail.commands.scene_file import read_scene
+    from vitrail.lower.canonical_json import canonical_json
+    from vitrail.lower.tracer import lower_tracer
+    from vitrail.plan.analyse import analyse
+
+    loaded = read_scene(path)
+    found = analyse(loaded.scene)
+    chosen = parse_settings(loaded.scene, found, quality, assignments)
+    match engine:
+        case EngineName.TRACER:
+            folder = loaded.path.parent.resolve()
+            return {"scene.json": canonical_json(lower_tracer(loaded.scene, found, chosen, folder))}
+        case EngineName.POVRAY:
+            from vitrail.lower.povray import lower_povray
+
+            return lower_povray(loaded.scene, found, chosen).files()
+        case _:
+            assert_never(engine)

@@ -1,0 +1,50 @@
+"""How an error reaches the user: its message on stderr, and the exit code that says what kind it was."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+import typer
+
+AGREES, DEVIATES, SCENE_ERROR, NOT_TRANSLATABLE, ENGINE_FAILED, INCONCLUSIVE = range(6)
+INTERRUPTED = 130
+
+
+@contextmanager
+def exit_codes() -> Iterator[None]:
+    """Turn the errors that a user can cause or meet into a message and an exit code.
+
+    A wrong scene or option ends with 2, a scene that POV-Ray cannot express with 3, an engine that failed with 4,
+    Ctrl-C with 130. Any other exception is a defect of this program and keeps its traceback.
+    """
+    from vitrail.engines.base import EngineFailure
+    from vitrail.scene.diagnostic import SceneErrors
+
+    try:
+        yield
+    except SceneErrors as errors:
+        _say(str(diagnostic) for diagnostic in errors.diagnostics)
+        raise typer.Exit(SCENE_ERROR) from None
+    except EngineFailure as failure:
+        _say([str(failure)])
+        raise typer.Exit(ENGINE_FAILED) from None
+    except KeyboardInterrupt:
+        _say(["interrupted"])
+        raise typer.Exit(INTERRUPTED) from None
+    except Exception as error:
+        if type(error).__name__ != "NotTranslatable":
+            raise
+        _say(str(diagnostic) for diagnostic in error.diagnostics)  # type: ignore[attr-defined]
+        raise typer.Exit(NOT_TRANSLATABLE) from None
+
+
+def usage_error(message: str) -> typer.Exit:
+    """A wrong option, said on stderr; raise what comes back."""
+    _say([message])
+    return typer.Exit(SCENE_ERROR)
+
+
+def _say(lines: Iterator[str] | list[str]) -> None:
+    for line in lines:
+        typer.echo(line, err=True)

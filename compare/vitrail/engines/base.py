@@ -1,0 +1,54 @@
+"""What every engine is to the rest of the program: something that turns a lowered scene into an image and a record."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Protocol
+
+Progress = Callable[[str, float, float], None]
+"""Called with the phase, the work done and the work in all, as often as an engine likes."""
+
+
+def silent(phase: str, done: float, total: float) -> None:
+    """Progress that nobody watches."""
+
+
+@dataclass(frozen=True)
+class Rendering:
+    """An image and how it was made. ``record`` is the run record, with the settings that were actually used."""
+
+    image_path: Path
+    record: dict[str, Any]
+
+    @property
+    def interrupted(self) -> bool:
+        """Whether the image holds only the work that was finished when somebody pressed Ctrl-C."""
+        return bool(self.record.get("interrupted", False))
+
+
+class EngineFailure(Exception):
+    """An engine is missing, crashed, ran out of time or memory, or wrote nothing.
+
+    ``said`` holds the engine's own last words, which are quoted in the message.
+    """
+
+    def __init__(self, engine: str, what: str, remedy: str, said: str = "") -> None:
+        self.engine, self.what, self.remedy, self.said = engine, what, remedy, said.strip()
+        quoted = "".join(f"\n  {engine}: {line}" for line in self.said.splitlines())
+        super().__init__(f"{engine}: {what}; {remedy}{quoted}")
+
+
+class Engine(Protocol):
+    """A program that renders."""
+
+    name: str
+
+    def version(self) -> str:
+        """The engine's own version; raises EngineFailure when it is not there."""
+        ...
+
+    def render(self, lowered: Any, out_dir: Path, *, threads: int = 0, progress: Progress = silent) -> Rendering:
+        """Render into ``out_dir``; raises EngineFailure, and leaves ``out_dir`` without an image then."""
+        ...
