@@ -1,0 +1,138 @@
+"""Read and write radiance images: OpenEXR with named layers. The only door to OpenImageIO.
+
+Channels: ``R G B`` radiance; ``half_a.* half_b.*`` two independent halves whose mean it is; ``variance.*`` of the mean;
+any other ``name.R name.G name.B`` is the layer of a phenomenon. What is in the file is returned as it is: sizes, NaN
+and 8-bit data are for the gates of the judge.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+import OpenImageIO as oiio
+
+RESERVED = ("half_a", "half_b", "variance")
+
+
+class ImageError(Exception):
+    """An image cannot be read or written; the message names the file, what is wrong, and what to do."""
+
+
+@dataclass(frozen=True)
+class ImageLayers:
+    """One rendered image, float64 arrays (height, width, 3), row 0 on top, W sr^-1 m^-2.
+
+    ``pixel_type`` is that of the file: ``float``, ``half``, ``uint8`` and so on.
+    """
+
+    radiance: np.ndarray
+    half_a: np.ndarray | None = None
+    half_b: np.ndarray | None = None
+    variance: np.ndarray | None = None
+    layers: Mapping[str, np.ndarray] = field(default_factory=dict)
+    metadata: Mapping[str, str | int | float] = field(default_factory=dict)
+    pixel_type: str = "float"
+
+    @property
+    def width(self) -> int:
+        return int(self.radiance.shape[1])
+
+    @property
+    def height(self) -> int:
+        return int(self.radiance.shape[0])
+
+
+def read_image(path: str | Path) -> ImageLayers:
+    """Everything in an image file. Raises ImageError for a missing, corrupt, cropped or channel-less file."""
+    if not Path(path).is_file():
+        raise ImageError(f"{path}: no such image; render it, or correct the path")
+    source = oiio.ImageInput.open(str(path))
+    if source is None:
+        raise ImageError(f"{path}: not a readable image ({oiio.geterror() or 'unknown format'}); write it again")
+    try:
+        spec = source.spec()
+        _refuse_cropped(path, spec)
+        pixels = source.read_image(0, 0, 0, spec.nchannels, oiio.FLOAT)
+        if pixels is None:
+            raise ImageError(f"{path}: damaged or cut off ({source.geterror()}); write it again")
+    finally:
+        source.close()
+    groups = _groups(path, np.asarray(pixels, np.float64), list(spec.channelnames))
+    return ImageLayers(
+        radiance=groups.pop(""),
+        half_a=groups.pop("half_a", None),
+        half_b=groups.pop("half_b", None),
+        variance=groups.pop("variance", None),
+        layers=groups,
+        metadata={a.name: a.value for a in spec.extra_attribs if isinstance(a.value, str | int | float)},
+        pixel_type=str(spec.format),
+    )
+
+
+def write_image(
+    path: str | Path,
+    radiance: np.ndarray,
+    *,
+    half_a: np.ndarray | None = None,
+    half_b: np.ndarray | None = None,
+    variance: np.ndarray | None = None,
+    layers: Mapping[str, np.ndarray] | None = None,
+    metadata: Mapping[str, str | int | float] | None = None,
+) -> None:
+    """Write float32 OpenEXR, one part, losslessly compressed. Raises ImageError when it cannot."""
+    named = {"": radiance, "half_a": half_a, "half_b": half_b, "variance": variance, **(layers or {})}
+    present = {name: array for name, array in named.items() if array is not None}
+    height, width = radiance.shape[:2]
+    for name, array in present.items():
+        if array.shape != (height, width, 3):
+            raise ImageError(f"{path}: layer {name or 'radiance'} is {array.shape}, not {(height, width, 3)}")
+    spec = oiio.ImageSpec(width, height, 3 * len(present), oiio.FLOAT)
+    spec.channelnames = tuple(f"{name}.{c}" if name else c for name in present for c in "RGB")
+    spec.attribute("compression", "zip")
+    for key, value in (metadata or {}).items():
+        spec.attribute(key, value)
+    target = oiio.ImageOutput.create(str(path))
+    if target is None or not target.open(str(path), spec):
+        reason = oiio.geterror() if target is None else target.geterror()
+        raise ImageError(f"{path}: cannot be written ({reason}); use a writable folder and the extension .exr")
+    pixels = np.ascontiguousarray(np.concatenate(list(present.values()), axis=2), dtype=np.float32)
+    if not target.write_image(pixels) or not target.close():
+        raise ImageError(f"{path}: writing failed ({target.geterror()}); is the disk full?")
+
+
+def write_png(path: str | Path, picture: np.ndarray) -> None:
+    """Write display values (height, width, 3) in 0..1 as an 8-bit PNG, for people and never for metrics."""
+    height, width = picture.shape[:2]
+    spec = oiio.ImageSpec(width, height, 3, oiio.UINT8)
+    target = oiio.ImageOutput.create(str(path))
+    if target is None or not target.open(str(path), spec):
+        raise ImageError(f"{path}: cannot be written; use a writable folder and the extension .png")
+    target.write_image(np.ascontiguousarray(np.clip(picture, 0, 1) * 255 + 0.5).astype(np.uint8))
+    target.close()
+
+
+def _refuse_cropped(path: str | Path, spec: oiio.ImageSpec) -> None:
+    """A data window that is not the whole picture would be read as a smaller image in the wrong place."""
+    data = (spec.x, spec.y, spec.width, spec.height)
+    full = (spec.full_x, spec.full_y, spec.full_width, spec.full_height)
+    if data != full:
+        raise ImageError(f"{path}: holds the window {data} of a picture {full}; write the whole picture")
+
+
+def _groups(path: str | Path, pixels: np.ndarray, names: list[str]) -> dict[str, np.ndarray]:
+    """Layer name to array; the radiance has the empty name."""
+    index = {name: i for i, name in enumerate(names)}
+    prefixes = list(dict.fromkeys(name.rpartition(".")[0] for name in names if name.rpartition(".")[2] in "RGB"))
+    groups = {}
+    for prefix in prefixes:
+        wanted = [f"{prefix}.{c}" if prefix else c for c in "RGB"]
+        if all(name in index for name in wanted):
+            groups[prefix] = pixels[..., [index[name] for name in wanted]].copy()
+    if "" not in groups:
+        raise ImageError(f"{path}: has no channels R, G, B, only {', '.join(names)}; rename the radiance to R, G, B")
+    if ("half_a" in groups) != ("half_b" in groups):
+        raise ImageError(f"{path}: has one of half_a, half_b; write both halves or none")
+    return groups

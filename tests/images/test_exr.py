@@ -1,0 +1,97 @@
+"""Images keep every layer to the last bit, and a file that cannot be trusted says so."""
+
+import numpy as np
+import pytest
+
+from vitrail.images.exr import ImageError, read_image, write_image, write_png
+
+
+@pytest.fixture
+def picture():
+    return np.random.default_rng(1).random((7, 11, 3)).astype(np.float32).astype(float)
+
+
+def test_every_layer_survives(tmp_path, picture):
+    path = tmp_path / "a.exr"
+    layers = {"caustic": picture * 2, "total_internal_reflection": picture / 4}
+    metadata = {"vitrail:scene_hash": "ab" * 32, "vitrail:settings": '{"photons": 1000}'}
+    write_image(
+        path, picture, half_a=picture / 2, half_b=picture * 4, variance=picture, layers=layers, metadata=metadata
+    )
+    image = read_image(path)
+    np.testing.assert_array_equal(image.radiance, picture)
+    np.testing.assert_array_equal(image.half_a, picture / 2)
+    np.testing.assert_array_equal(image.half_b, picture * 4)
+    np.testing.assert_array_equal(image.variance, picture)
+    assert set(image.layers) == set(layers)
+    np.testing.assert_array_equal(image.layers["caustic"], picture * 2)
+    assert {key: image.metadata[key] for key in metadata} == metadata
+    assert (image.width, image.height, image.pixel_type) == (11, 7, "float")
+
+
+def test_values_beyond_display_survive(tmp_path):
+    odd = np.array([[[-1.5, 1e30, 1e-30], [np.nan, np.inf, 0.0]]], float)
+    write_image(tmp_path / "odd.exr", odd)
+    np.testing.assert_allclose(read_image(tmp_path / "odd.exr").radiance, odd, rtol=1e-7)
+
+
+def test_missing_and_corrupt_files_are_named(tmp_path, picture):
+    with pytest.raises(ImageError, match="no such image"):
+        read_image(tmp_path / "none.exr")
+    junk = tmp_path / "junk.exr"
+    junk.write_bytes(b"this is not an image" * 40)
+    with pytest.raises(ImageError, match="junk.exr: not a readable image"):
+        read_image(junk)
+    whole = tmp_path / "whole.exr"
+    write_image(whole, np.random.default_rng(0).random((64, 64, 3)))
+    whole.write_bytes(whole.read_bytes()[: whole.stat().st_size // 2])
+    with pytest.raises(ImageError, match="whole.exr"):
+        read_image(whole)
+    empty = tmp_path / "empty.exr"
+    empty.touch()
+    with pytest.raises(ImageError, match="empty.exr"):
+        read_image(empty)
+
+
+def test_an_8_bit_image_tells_its_type(tmp_path, picture):
+    write_png(tmp_path / "a.png", picture)
+    assert read_image(tmp_path / "a.png").pixel_type == "uint8"
+
+
+def test_a_lone_half_is_refused(tmp_path, picture):
+    write_image(tmp_path / "a.exr", picture, half_a=picture)
+    with pytest.raises(ImageError, match="one of half_a, half_b"):
+        read_image(tmp_path / "a.exr")
+
+
+def test_an_image_without_radiance_lists_what_it_has(tmp_path, picture):
+    import OpenImageIO as oiio
+
+    spec = oiio.ImageSpec(11, 7, 1, oiio.FLOAT)
+    spec.channelnames = ("depth.Z",)
+    target = oiio.ImageOutput.create(str(tmp_path / "z.exr"))
+    target.open(str(tmp_path / "z.exr"), spec)
+    target.write_image(picture[..., :1].astype(np.float32).copy())
+    target.close()
+    with pytest.raises(ImageError, match="only .*Z.*rename"):
+        read_image(tmp_path / "z.exr")
+
+
+def test_a_cropped_image_is_refused(tmp_path, picture):
+    import OpenImageIO as oiio
+
+    spec = oiio.ImageSpec(11, 7, 3, oiio.FLOAT)
+    spec.x, spec.full_width, spec.full_height = 2, 20, 7
+    target = oiio.ImageOutput.create(str(tmp_path / "c.exr"))
+    target.open(str(tmp_path / "c.exr"), spec)
+    target.write_image(picture.astype(np.float32))
+    target.close()
+    with pytest.raises(ImageError, match="whole picture"):
+        read_image(tmp_path / "c.exr")
+
+
+def test_a_layer_of_another_size_is_not_written(tmp_path, picture):
+    with pytest.raises(ImageError, match="layer caustic"):
+        write_image(tmp_path / "a.exr", picture, layers={"caustic": picture[:-1]})
+    with pytest.raises(ImageError, match="cannot be written"):
+        write_image(tmp_path / "nowhere" / "a.exr", picture)
