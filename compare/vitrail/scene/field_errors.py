@@ -13,7 +13,9 @@ from vitrail.scene.diagnostic import Diagnostic, nearest, suggestion
 from vitrail.scene.yaml_tree import Path, Places
 
 
-def field_diagnostics(error: ValidationError, data: Any, top: type[BaseModel], places: Places, file: str) -> list[Diagnostic]:
+def field_diagnostics(
+    error: ValidationError, data: Any, top: type[BaseModel], places: Places, file: str
+) -> list[Diagnostic]:
     """One Diagnostic for each thing that is wrong; alternatives that the author did not mean are left out."""
     found: dict[tuple[int, int, str], Diagnostic] = {}
     for each in error.errors(include_url=False):
@@ -56,7 +58,9 @@ def _is_mapping_alternative(step: str) -> bool:
 
 
 def _is_alternative(step: str) -> bool:
-    return _is_mapping_alternative(step) or any(mark in step for mark in "[(-") or step in ("float", "int", "str", "bool")
+    return (
+        _is_mapping_alternative(step) or any(mark in step for mark in "[(-") or step in ("float", "int", "str", "bool")
+    )
 
 
 # --- what to say ----------------------------------------------------------------------------------------------------
@@ -101,7 +105,9 @@ def _explain_choice(name: str, value: Any, context: Any) -> tuple[str, str, bool
     return f"{name} is {_shown(value)}", f"the choices are {', '.join(choices)}", False
 
 
-def _explain_type(kind: str, name: str, value: Any, path: Path, data: Any, top: type[BaseModel]) -> tuple[str, str, bool]:
+def _explain_type(
+    kind: str, name: str, value: Any, path: Path, data: Any, top: type[BaseModel]
+) -> tuple[str, str, bool]:
     """A value of another kind than the field takes."""
     if value is None:
         return f"{name} has no value", f"write `{name.strip('`')}: {_example(path, data, top)}`", True
@@ -250,4 +256,9 @@ def _holder(path: Path) -> Path:
 
 
 def _field_leaves(model: type[BaseModel], name: str) -> list[Any]:
-    return [leaf for key, info in model.model_fields.items() if name in (key, info.alias) for leaf in _leaves(info.annotation)]
+    return [
+        leaf
+        for key, info in model.model_fields.items()
+        if name in (key, info.alias)
+        for leaf in _leaves(info.annotation)
+    ]

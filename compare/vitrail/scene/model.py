@@ -59,9 +59,22 @@ Texture = Colour | Checker
 
 
 Glass = Literal[
-    "N-BK7", "N-K5", "N-BAK4", "N-SK16", "N-LAK8", "N-LASF44", "F2", "N-F2", "SF10", "N-SF10", "SF11", "N-SF11", "N-SF66",
-    "fused-silica", "water",
-]  # fmt: skip
+    "N-BK7",
+    "N-K5",
+    "N-BAK4",
+    "N-SK16",
+    "N-LAK8",
+    "N-LASF44",
+    "F2",
+    "N-F2",
+    "SF10",
+    "N-SF10",
+    "SF11",
+    "N-SF11",
+    "N-SF66",
+    "fused-silica",
+    "water",
+]
 """The catalogue glasses a scene may name; ``optics/glass.py`` holds their constants."""
 
 
@@ -301,7 +314,7 @@ class Prism(Part):
 class Lens(Part):
     """Two spherical faces about the z axis, centred on the origin; positive radii are convex, 0 is flat.
 
-    The front face has its vertex at z = -thickness / 2 (light along +z meets it first), the back face at +thickness / 2.
+    The front face has its vertex at z = -thickness / 2 (light along +z meets it first), the back face at +z.
 
     ``thickness`` is at the axis, ``diameter`` that of the cylindrical rim.
     """

@@ -1,4 +1,4 @@
-"""Names in a scene file: each given once, and each used one given. Works on plain data, so that it needs no valid types."""
+"""Names in a scene file: each given once, and each used one given. Works on plain data, before there are types."""
 
 from __future__ import annotations
 

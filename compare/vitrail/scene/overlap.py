@@ -32,7 +32,7 @@ class Overlap:
     exact: bool
 
     def __bool__(self) -> bool:
-        return self.depth_m > 0
+        return bool(self.depth_m > 0)
 
 
 def overlap(a: Object, b: Object) -> Overlap:
@@ -115,14 +115,15 @@ def _axes(placed: Placed) -> np.ndarray:
 def _corners(placed: Placed) -> np.ndarray:
     box = placed.shape
     assert isinstance(box, Box)
-    return np.array([placed.frame.point(corner) for corner in itertools.product(*zip(box.min, box.max, strict=True))])
+    (x0, y0, z0), (x1, y1, z1) = box.min, box.max
+    return np.array([placed.frame.point(corner) for corner in itertools.product((x0, x1), (y0, y1), (z0, z1))])
 
 
 # --- every other pair -----------------------------------------------------------------------------------------------
 
 
 def _searched_depth(a: Object, b: Object, first: Placed, second: Placed) -> float:
-    """The largest depth inside both that a search finds: random points, then smaller and smaller steps from the best."""
+    """The largest depth inside both that a search finds: random points, then ever smaller steps from the best."""
     rough = _ball_around(first), _ball_around(second)
     if any(ball is None for ball in rough) and not any(isinstance(each.shape, Plane) for each in (first, second)):
         return -np.inf
@@ -159,7 +160,9 @@ def _ball_around(placed: Placed) -> tuple[np.ndarray, float] | None:
         case Box():
             return _centered(_corners(placed))
         case Cylinder() | Cone():
-            radii = (shape.radius, shape.radius) if isinstance(shape, Cylinder) else (shape.radius_from, shape.radius_to)
+            radii = (
+                (shape.radius, shape.radius) if isinstance(shape, Cylinder) else (shape.radius_from, shape.radius_to)
+            )
             half = np.linalg.norm(np.subtract(shape.to, shape.from_)) / 2
             return np.add(shape.from_, shape.to) / 2, float(np.hypot(half, max(radii)))
         case Prism():

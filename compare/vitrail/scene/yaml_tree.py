@@ -87,7 +87,9 @@ def read_yaml(text: str) -> tuple[Any, Places, list[YamlProblem]]:
     except MarkedYAMLError as error:
         raise _translate(error) from None
     except (YAMLError, ValueError) as error:
-        raise YamlProblem(1, 1, f"this is not YAML ({str(error).splitlines()[0]})", "write a scene in YAML 1.2") from None
+        raise YamlProblem(
+            1, 1, f"this is not YAML ({str(error).splitlines()[0]})", "write a scene in YAML 1.2"
+        ) from None
     if root is None:
         raise YamlProblem(1, 1, "the file is empty", "start with `vitrail: 1`; scenes/README.md shows a whole scene")
     places = Places()
@@ -105,9 +107,13 @@ def _compose(events: Iterator[Any], problems: list[YamlProblem]) -> Node | None:
             continue
         line, col = _place(event)
         if root is not None:
-            raise YamlProblem(line, col, "the file holds a second document", "write one scene a file, without `---` inside")
+            raise YamlProblem(
+                line, col, "the file holds a second document", "write one scene a file, without `---` inside"
+            )
         if event.version is not None and tuple(event.version) != (1, 2):
-            raise YamlProblem(line, col, "the file asks for another YAML version", "drop the %YAML line; scenes are YAML 1.2")
+            raise YamlProblem(
+                line, col, "the file asks for another YAML version", "drop the %YAML line; scenes are YAML 1.2"
+            )
         first = next(events)
         root = composer.node(first, depth=0) if event.explicit or not _is_void(first) else None
         if root is not None and root.scalar is None and root.items is None and root.pairs is None:
@@ -131,15 +137,23 @@ class _Composer:
         line, col = _place(event)
         self.count += 1
         if self.count > MAX_NODES:
-            raise YamlProblem(line, col, f"the file has more than {MAX_NODES} values", "put large geometry into a mesh file")
+            raise YamlProblem(
+                line, col, f"the file has more than {MAX_NODES} values", "put large geometry into a mesh file"
+            )
         if depth > MAX_DEPTH:
-            raise YamlProblem(line, col, f"nested deeper than {MAX_DEPTH} levels", "a scene needs six levels; flatten it")
+            raise YamlProblem(
+                line, col, f"nested deeper than {MAX_DEPTH} levels", "a scene needs six levels; flatten it"
+            )
         if isinstance(event, AliasEvent):
             if event.anchor not in self.anchors:
-                raise YamlProblem(line, col, f"alias `*{event.anchor}` stands for nothing finished before it", "write the value out")
+                raise YamlProblem(
+                    line, col, f"alias `*{event.anchor}` stands for nothing finished before it", "write the value out"
+                )
             return self.anchors[event.anchor]
         if event.tag is not None:
-            raise YamlProblem(line, col, f"the tag `{event.tag}` is not part of a scene", "remove the tag and write the plain value")
+            raise YamlProblem(
+                line, col, f"the tag `{event.tag}` is not part of a scene", "remove the tag and write the plain value"
+            )
         if isinstance(event, ScalarEvent):
             made = Node(line, col, scalar=self._scalar(event))
         elif isinstance(event, SequenceStartEvent):
@@ -192,7 +206,9 @@ class _Composer:
         value = float(text) if len(text) <= MAX_DIGITS else float("inf")
         if value in (float("inf"), float("-inf")):
             shown = text if len(text) <= 24 else text[:20] + "..."
-            self.problems.append(YamlProblem(*_place(event), f"{shown} is too large for a number", "the largest is 1.8e308"))
+            self.problems.append(
+                YamlProblem(*_place(event), f"{shown} is too large for a number", "the largest is 1.8e308")
+            )
             return 0.0
         return value
 
@@ -250,6 +266,8 @@ def _translate(error: MarkedYAMLError) -> YamlProblem:
     """A parser's complaint with its place and a remedy in a scene author's words."""
     mark = error.problem_mark or error.context_mark
     problem = (error.problem or "cannot be read").strip()
-    remedy = next((text for key, text in _REMEDIES if key in problem), "check the brackets, quotes and indentation there")
+    remedy = next(
+        (text for key, text in _REMEDIES if key in problem), "check the brackets, quotes and indentation there"
+    )
     line, col = (mark.line + 1, mark.column + 1) if mark is not None else (1, 1)
     return YamlProblem(line, col, f"this is not YAML: {problem}", remedy)

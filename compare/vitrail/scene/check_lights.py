@@ -1,0 +1,101 @@
+"""A scene needs light, from places that light can leave."""
+
+from __future__ import annotations
+
+from vitrail.scene.check_shapes import file_problem
+from vitrail.scene.distance import distance_to_surface
+from vitrail.scene.findings import Findings
+from vitrail.scene.inside import contains
+from vitrail.scene.model import Ambient, Area, Checker, Environment, Light, Material, Point, Spot
+from vitrail.scene.vector import Vec, length
+
+TOUCH = 1e-9
+"""A lamp closer to a surface than this share of its distance from the origin counts as on it."""
+
+
+def check_lights(findings: Findings) -> None:
+    """Refuse a scene without light; report dark lamps, lamps inside or on objects, and glow that lights nothing."""
+    scene = findings.scene
+    emitting = [name for name, material in scene.materials.items() if _glows(material)]
+    if not scene.lights and not emitting and not _is_ambient(findings):
+        remedy = "add one under `lights`, or give a material `emission`"
+        findings.error("the scene has no light", remedy, "lights")
+    _check_glow(findings, emitting)
+    for index, light in enumerate(scene.lights):
+        if max(_strength(light)) == 0:
+            what = f"the light `{light.name}` is dark"
+            findings.warning(what, "raise its value or remove it", "lights", index, light.kind)
+        if isinstance(light.emitter, Environment) and light.emitter.file is not None:
+            _check_environment(findings, index, light.emitter.file)
+        _check_place(findings, index, light)
+
+
+def _glows(material: Material) -> bool:
+    match material.emission:
+        case None:
+            return False
+        case Checker() as pattern:
+            return any(max(color) > 0 for color in pattern.checker.colors)
+        case color:
+            return max(color) > 0
+
+
+def _is_ambient(findings: Findings) -> bool:
+    indirect = findings.scene.transport.indirect
+    return isinstance(indirect, Ambient) and max(indirect.ambient) > 0
+
+
+def _check_glow(findings: Findings, emitting: list[str]) -> None:
+    """Emission is seen but lights nothing: warn where a diffuse surface waits for its light in vain."""
+    scene = findings.scene
+    if scene.lights or _is_ambient(findings):
+        return
+    waiting = [item.name for item in scene.objects if scene.material_of(item).is_diffuse]
+    for name in emitting:
+        if waiting:
+            what = f"the emission of `{name}` is seen but lights nothing, and `{waiting[0]}` has no light to scatter"
+            findings.warning(
+                what, "add an `area` light of the same radiance in its place", "materials", name, "emission"
+            )
+
+
+def _strength(light: Light) -> Vec:
+    """The number that says how much light there is; an environment image counts as light."""
+    emitter = light.emitter
+    for key in ("irradiance", "intensity", "radiance"):
+        value = getattr(emitter, key, None)
+        if value is not None:
+            return value
+    return (1.0, 1.0, 1.0)
+
+
+def _check_environment(findings: Findings, index: int, file: str) -> None:
+    path = ("lights", index, "environment", "file")
+    if not file.lower().endswith(".exr"):
+        findings.error(f"`{file}` is not an EXR image", "give a lat-long image that ends in .exr", *path)
+    elif (problem := file_problem(findings, file)) is not None:
+        findings.error(problem, "paths are relative to the scene file; check this one", *path)
+
+
+def _check_place(findings: Findings, index: int, light: Light) -> None:
+    """A lamp on a surface has no defined side; one inside something opaque lights nothing."""
+    emitter, scene = light.emitter, findings.scene
+    match emitter:
+        case Point() | Spot():
+            place, key = emitter.position, "position"
+        case Area():
+            shape = emitter.rectangle or emitter.disc
+            assert shape is not None
+            place, key = shape.center, "rectangle" if emitter.rectangle else "disc"
+        case _:
+            return
+    for item in scene.objects:
+        distance = distance_to_surface(item, place)
+        if distance is not None and distance <= TOUCH * max(1e-300, length(place)):
+            what = f"the light `{light.name}` lies on the surface of `{item.name}`"
+            remedy = "move it off the surface, by a millimetre for example"
+            report = findings.warning if isinstance(emitter, Area) else findings.error
+            report(what, remedy, "lights", index, light.kind, key)
+        elif not scene.material_of(item).is_transmissive and contains(item, place):
+            what = f"the light `{light.name}` is inside the opaque `{item.name}` and lights nothing outside"
+            findings.warning(what, "move it out", "lights", index, light.kind, key)

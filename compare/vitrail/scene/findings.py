@@ -1,0 +1,31 @@
+"""Where the checks of a loaded scene put what they find."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from vitrail.scene.diagnostic import Diagnostic, Severity
+from vitrail.scene.load import Loaded
+from vitrail.scene.model import Scene
+
+
+@dataclass
+class Findings:
+    """Diagnostics about one loaded scene; a path leads to the value that each is about."""
+
+    loaded: Loaded
+    diagnostics: list[Diagnostic] = field(default_factory=list)
+
+    @property
+    def scene(self) -> Scene:
+        return self.loaded.scene
+
+    def error(self, what: str, remedy: str, *path: str | int) -> None:
+        self._add(Severity.ERROR, what, remedy, path)
+
+    def warning(self, what: str, remedy: str, *path: str | int) -> None:
+        self._add(Severity.WARNING, what, remedy, path)
+
+    def _add(self, severity: Severity, what: str, remedy: str, path: tuple[str | int, ...]) -> None:
+        line, col = self.loaded.places.of(*path)
+        self.diagnostics.append(Diagnostic(str(self.loaded.path), line, col, what, remedy, severity))
