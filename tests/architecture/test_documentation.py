@@ -82,24 +82,33 @@ def test_every_make_target_is_in_the_help() -> None:
 TAG = re.compile(r"\[(S|O|P|J96|W07)((?:\s[^\]\n]{1,40})?)\]")
 
 
+PAGES = {"O": "docs/errata.md", "P": "docs/povray.md"}
+
+
+def numbered_places(page: str) -> set[str]:
+    """Every place of a page that a tag can name: section 1.2, row n of a table or item n of a list in section s as s.n."""
+    known, section = set(), ""
+    for line in (ROOT / page).read_text(encoding="utf-8").splitlines():
+        if heading := re.match(r"#+ (?:Part )?(\d+(?:\.\d+)?)", line):
+            section = heading.group(1)
+            known.add(section)
+        elif item := re.match(r"(?:\| )?(\d+)(?: \||\. )", line):
+            known.add(f"{section}.{item.group(1)}")
+    return known
+
+
 def test_every_formula_tag_is_explained() -> None:
     """[O 1.1] names a section of docs/errata.md, [P 2.4] one of docs/povray.md; docs/sources.md explains the rest."""
     sources = (ROOT / "docs" / "sources.md").read_text(encoding="utf-8")
-    pages = {"O": "docs/errata.md", "P": "docs/povray.md"}
-    known = {
-        letter: set(re.findall(r"^#+ (\d+(?:\.\d+)?)", (ROOT / page).read_text(encoding="utf-8"), re.MULTILINE))
-        | {f"2.{row}" for row in re.findall(r"^\| (\d+) \|", (ROOT / page).read_text(encoding="utf-8"), re.MULTILINE)}
-        for letter, page in pages.items()
-    }
+    known = {letter: numbered_places(page) for letter, page in PAGES.items()}
     unknown = []
     for path in project_files():
         if path.suffix not in {".py", ".h", ".cc", ".cpp", ".yaml", ".md"}:
             continue
         for letter, place in TAG.findall((ROOT / path).read_text(encoding="utf-8")):
             number = re.match(r"\s(\d+(?:\.\d+)*)", place)
-            if letter in pages and number and number.group(1) not in known[letter]:
-                unknown.append(f"{path}: [{letter}{place}]")
-            elif f"[{letter}" not in sources:
+            leads_nowhere = letter in PAGES and number is not None and number.group(1) not in known[letter]
+            if leads_nowhere or f"[{letter}" not in sources:
                 unknown.append(f"{path}: [{letter}{place}]")
     assert not unknown, "\n".join(unknown)
 

@@ -10,7 +10,9 @@ from tests.architecture.source_tree import ROOT, project_files
 
 VAGUE_NAMES = {"util", "utils", "common", "helper", "helpers", "misc", "stuff", "tools_lib"}
 
-LONGEST_FILE = 260
+LONGEST_FILE = 280
+"""Lines. Files aim at 260."""
+
 LONGEST_FUNCTION = 60
 """Lines. Functions aim at 40; the rest is room for one long signature or one exhaustive match."""
 
@@ -68,14 +70,14 @@ def test_every_python_module_says_what_it_is_about() -> None:
     assert not silent, f"open each with a docstring: {silent}"
 
 
-def test_every_cpp_unit_says_what_it_is_about() -> None:
-    """A header opens with a comment, before or after its guard; so does a source file that has no header."""
-    silent = []
-    for path in sources(".h", ".cc", ".cpp"):
-        if path.parts[0] != "tracer" or (path.suffix != ".h" and (ROOT / path).with_suffix(".h").exists()):
-            continue
-        if not re.match(r"(\s|#pragma once)*//", (ROOT / path).read_text(encoding="utf-8")):
-            silent.append(path)
+def test_every_cpp_header_says_what_it_is_about() -> None:
+    """A header opens with a comment, before or after its guard."""
+    silent = [
+        path
+        for path in sources(".h")
+        if path.parts[0] == "tracer"
+        and not re.match(r"(\s|#pragma once)*//", (ROOT / path).read_text(encoding="utf-8"))
+    ]
     assert not silent, f"open each with a comment: {silent}"
 
 
