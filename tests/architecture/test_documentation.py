@@ -86,7 +86,7 @@ PAGES = {"O": "docs/errata.md", "P": "docs/povray.md"}
 
 
 def numbered_places(page: str) -> set[str]:
-    """Every place of a page that a tag can name: section 1.2, row n of a table or item n of a list in section s as s.n."""
+    """Every place of a page that a tag can name: sections, and row or list item n of section s as s.n."""
     known, section = set(), ""
     for line in (ROOT / page).read_text(encoding="utf-8").splitlines():
         if heading := re.match(r"#+ (?:Part )?(\d+(?:\.\d+)?)", line):
