@@ -23,12 +23,19 @@ from vitrail.scene.phenomenon import Phenomenon
 Json = dict[str, Any]
 
 
-def lower_tracer(scene: Scene, plan: Plan, settings: Settings, folder: Path | None = None) -> Json:
+def lower_tracer(
+    scene: Scene,
+    plan: Plan,
+    settings: Settings,
+    folder: Path | None = None,
+    *,
+    wavelength_nm: float | None = None,
+) -> Json:
     """The tracer's input. ``folder`` is where the files that the scene names are sought; without it they stay as named.
 
     All lengths are metres, all directions of unit length, colours linear Rec. 709; ``canonical_json`` prints it.
     """
-    bands = bands_of(scene, plan)
+    bands = bands_of(scene, plan, wavelength_nm)
     used = [name for name in scene.materials if any(item.material == name for item in scene.objects)]
     return {
         "vitrail_lowered": 1,

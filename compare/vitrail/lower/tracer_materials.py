@@ -27,7 +27,7 @@ class Band:
 ALL_LIGHT = Band("all", (1.0, 1.0, 1.0), None)
 
 
-def bands_of(scene: Scene, plan: Plan) -> tuple[Band, ...]:
+def bands_of(scene: Scene, plan: Plan, wavelength_nm: float | None = None) -> tuple[Band, ...]:
     """One band unless the plan requires dispersion."""
     return (ALL_LIGHT,)
 

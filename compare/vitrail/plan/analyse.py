@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from vitrail.plan.evidence import requirement
+from dataclasses import replace
+
+from vitrail.plan.evidence import could_occur, requirement
 from vitrail.plan.facts import facts_of
-from vitrail.plan.plan import Plan
+from vitrail.plan.plan import Chain, Plan, Requirement
 from vitrail.scene.model import Scene
 from vitrail.scene.phenomenon import Phenomenon
 
@@ -17,3 +19,14 @@ def analyse(scene: Scene) -> Plan:
         caustic_paths=facts.paths,
         chain=facts.chain,
     )
+
+
+def everything(scene: Scene) -> Plan:
+    """The plan that leaves nothing out: all that the scene's materials could do, at the full depth the scene allows.
+
+    Rendering it must give the same image as the plan of ``analyse``; it only takes longer.
+    """
+    limits = scene.transport
+    entries = {phenomenon: Requirement(*could_occur(phenomenon, scene), cost="") for phenomenon in Phenomenon}
+    full = Chain(limits.max_reflections, limits.max_transmissions, False, "the limits of the scene")
+    return replace(analyse(scene), entries=entries, chain=full)

@@ -123,3 +123,27 @@ def _is_coloured(material: Material) -> bool:
 
 def _absorbs(material: Material) -> bool:
     return material.attenuation is not None or max(material.absorption_per_m or (0.0,)) > 0
+
+
+def could_occur(phenomenon: Phenomenon, scene: Scene) -> tuple[bool, tuple[str, ...]]:
+    """Whether the materials and the transport of a scene allow a phenomenon at all, wherever its objects are."""
+    materials = [scene.material_of(item) for item in scene.objects]
+    glass = [material for material in materials if material.is_transmissive]
+    specular = any(material.is_specular for material in materials)
+    match phenomenon:
+        case Phenomenon.DIFFUSION | Phenomenon.SHADOW:
+            return True, ("always",)
+        case Phenomenon.REFLECTION | Phenomenon.CAUSTIC:
+            return specular, ("a specular material",)
+        case Phenomenon.REFRACTION | Phenomenon.TOTAL_INTERNAL_REFLECTION | Phenomenon.COLOURED_TRANSMISSION:
+            return bool(glass), ("a transmissive material",)
+        case Phenomenon.ABSORPTION:
+            return any(_absorbs(material) for material in glass), ("an absorbing material",)
+        case Phenomenon.ROUGHNESS:
+            return any(m.is_specular and m.roughness != 0 for m in materials), ("a rough material",)
+        case Phenomenon.DISPERSION:
+            return any(material.is_dispersive for material in glass), ("a dispersive material",)
+        case Phenomenon.INDIRECT_LIGHT:
+            return scene.transport.indirect != "none", ("`transport.indirect`",)
+        case _:
+            assert_never(phenomenon)

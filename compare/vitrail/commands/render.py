@@ -1,0 +1,96 @@
+"""``vitrail render``: one scene, one engine, one image with its run record beside it."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from pathlib import Path
+from typing import TYPE_CHECKING, assert_never
+
+import typer
+
+from vitrail.commands.emit import EngineName
+from vitrail.commands.exit_code import INTERRUPTED, exit_codes, usage_error
+from vitrail.commands.output import print_json
+from vitrail.commands.settings_options import QUALITY, SETTINGS, parse_settings
+
+if TYPE_CHECKING:
+    from vitrail.engines.base import Rendering
+    from vitrail.plan.budget import Settings
+    from vitrail.plan.plan import Plan
+    from vitrail.scene.load import Loaded
+
+
+def render(
+    scene: Path = typer.Argument(..., metavar="SCENE", help="A scene file."),
+    out: Path = typer.Option(..., "--out", metavar="FILE.exr", help="The image to write."),
+    engine: EngineName = typer.Option(EngineName.TRACER, "--engine", help="The engine to render with."),
+    quality: str = QUALITY,
+    samples: int | None = typer.Option(None, "--samples", help="Samples a pixel."),
+    photons: int | None = typer.Option(None, "--photons", help="Photons of the whole scene."),
+    seed: int | None = typer.Option(None, "--seed", help="Seed of the random numbers."),
+    threads: int = typer.Option(0, "--threads", min=0, help="Threads; 0 takes every core."),
+    solver: str | None = typer.Option(None, "--solver", help="How caustics are solved."),
+    settings: list[str] = SETTINGS,
+    png: bool = typer.Option(False, "--png", help="Write a picture for the eye beside the image."),
+    as_json: bool = typer.Option(False, "--json", help="Print the run record as JSON."),
+) -> None:
+    """Render a scene; the run record is written beside the image as FILE.run.json."""
+    with exit_codes():
+        if out.suffix != ".exr":
+            raise usage_error(f"--out {out}: the image is an EXR file; end its name with .exr")
+        from vitrail.commands.scene_file import read_scene
+        from vitrail.plan.analyse import analyse
+
+        loaded = read_scene(scene)
+        plan = analyse(loaded.scene)
+        options = {"samples": samples, "photons": photons, "seed": seed, "solver": solver}
+        chosen = parse_settings(loaded.scene, plan, quality, settings, **options)
+        for warning in plan.warnings:
+            typer.echo(f"warning: {warning}", err=True)
+        made = _rendered(engine, loaded, plan, chosen, threads, out)
+        files = [out, out.with_suffix(".run.json")] + ([_picture(out, loaded)] if png else [])
+        print_json(made.record) if as_json else typer.echo("\n".join(str(file) for file in files))
+        if made.interrupted:
+            typer.echo("interrupted: the image holds the finished work", err=True)
+            raise typer.Exit(INTERRUPTED)
+
+
+def _rendered(engine: EngineName, loaded: Loaded, plan: Plan, settings: Settings, threads: int, out: Path) -> Rendering:
+    """Render into a folder beside the image, then move image and record to their names."""
+    from vitrail.commands.progress_bar import progress_bar
+    from vitrail.engines.base import Rendering
+    from vitrail.lower.canonical_json import canonical_json
+
+    out.parent.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(dir=out.parent, prefix=f".{out.stem}-") as work, progress_bar(out.stem) as show:
+        match engine:
+            case EngineName.TRACER:
+                from vitrail.engines.tracer import Tracer
+                from vitrail.lower.tracer import lower_tracer
+
+                lowered = lower_tracer(loaded.scene, plan, settings, loaded.path.parent.resolve())
+                made = Tracer().render(lowered, Path(work), threads=threads, progress=show)
+            case EngineName.POVRAY:
+                from vitrail.engines.povray import PovRay
+                from vitrail.lower.povray import lower_povray
+
+                translated = lower_povray(loaded.scene, plan, settings)
+                made = PovRay().render(translated, Path(work), threads=threads, progress=show)
+            case _:
+                assert_never(engine)
+        record = Path(work) / "record.json"
+        record.write_text(canonical_json(made.record), encoding="utf-8")
+        os.replace(record, out.with_suffix(".run.json"))
+        os.replace(made.image_path, out)
+    return Rendering(out, made.record)
+
+
+def _picture(out: Path, loaded: Loaded) -> Path:
+    """The image as a PNG, through the one display transform of the project."""
+    from vitrail.images.display import Display
+    from vitrail.images.exr import read_image, write_png
+
+    picture = out.with_suffix(".png")
+    write_png(picture, Display(loaded.scene.image.exposure_stops).apply(read_image(out).radiance))
+    return picture
