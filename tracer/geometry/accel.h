@@ -5,16 +5,12 @@
 #include <memory>
 
 #include "base/ray.h"
+#include "geometry/bounds.h"
 #include "geometry/hit.h"
 #include "geometry/medium_stack.h"
 #include "scene/scene.h"
 
 namespace vitrail {
-
-struct Bounds {
-  Vec3 min, max;
-  bool is_empty() const { return !(min.x <= max.x); }
-};
 
 /// Which search is used; `automatic` takes the plain list for at most 32 primitives. Both give identical hits.
 enum class Search { automatic, list, embree };

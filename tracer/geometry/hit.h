@@ -15,7 +15,7 @@ struct Departure {
   bool inside = false;  // the ray goes on inside the solid (for a sheet: on the side against its normal)
 };
 
-/// A few values in place; faces that coincide in one point are a handful. More than `capacity` are dropped.
+/// A few values in place: the faces that coincide in one point are a handful. What exceeds the capacity is dropped.
 template <typename Value, int capacity>
 class Few {
  public:
@@ -32,31 +32,33 @@ class Few {
   Value& operator[](int index) { return values_[index]; }
 
  private:
-  std::array<Value, capacity> values_{};
+  std::array<Value, capacity> values_;
   int size_ = 0;
 };
 
 using Departures = Few<Departure, 6>;
 
-/// One surface passed at a hit.
+/// One surface met at a hit.
 struct Crossing {
   double t = 0;
   std::uint32_t object = 0;
   std::uint32_t primitive = 0;
   std::uint32_t face = 0;
   bool entering = false;  // from the side the outward normal points to
+  bool counted = false;   // a mesh: its shells may overlap each other
+  double s = 0, q = 0;    // surface coordinates of flat shapes, metres
+  Vec3 normal;            // geometric, unit, outward
+  Vec3 shading_normal;    // equal to normal except on smooth meshes
 };
 
-/// The nearest surface, with everything that coincides with it within rounding. `crossings` holds all of them in an
-/// order that does not depend on the order of objects along the ray (by object id); the rest describes the nearest.
+using Crossings = Few<Crossing, 6>;
+
+/// The nearest surface and everything that coincides with it within rounding, by object and not by order of arrival:
+/// what a ray meets in a point does not depend on the order of objects that touch there.
 struct Hit {
   double t = 0;
-  Vec3 point;           // projected back onto the surface
-  Vec3 normal;          // geometric, unit, outward
-  Vec3 shading_normal;  // equal to normal except on smooth meshes
-  double s = 0, q = 0;  // surface coordinates of flat shapes, metres
-  std::uint32_t object = 0;
-  Few<Crossing, 6> crossings;
+  Vec3 point;           // of the nearest, projected back onto its surface
+  Crossings crossings;  // at least one
 
   /// What to leave behind when light stays on the side it came from (reflect, scatter, shadow rays) ...
   Departures back() const { return leave(false); }

@@ -1,0 +1,26 @@
+#pragma once
+/// A ball: one face.
+
+#include "geometry/bounds.h"
+#include "geometry/span.h"
+#include "scene/scene.h"
+
+namespace vitrail {
+
+class Sphere {
+ public:
+  explicit Sphere(const SphereShape& shape) : center_(shape.center), radius_(shape.radius) {}
+
+  bool intersect(const Ray& ray, const Departure* left, ShapeHit& hit) const;
+  SurfacePoint surface(Vec3 point, std::uint32_t face) const;
+  bool contains(Vec3 point) const;
+  Bounds bounds() const;
+  /// The coordinates whose rounding a hit carries: none, the roots are exact near the surface.
+  double coordinate_scale() const { return 0; }
+
+ private:
+  Vec3 center_;
+  double radius_;
+};
+
+}  // namespace vitrail
