@@ -1,0 +1,128 @@
+"""Build the folder a person opens: ``index.html``, one page a scene, scripts with the radiance. Numbers come from
+``results.json`` and pixels from the EXR files beside it; nothing is measured here.
+"""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+from typing import Any
+
+import jinja2
+
+from vitrail.images.exr import read_image
+from vitrail.images.false_colour import COLD, HEAT, HOT, NEUTRAL
+from vitrail.judge.records import SceneResult, read_results
+from vitrail.report import figures, page
+from vitrail.report.tiles import write_tiles
+
+HERE = Path(__file__).parent
+COST_ROWS = (
+    ("CPU seconds", "cpu_s", "s"),
+    ("of these, photon pass", "photon_cpu_s", "s"),
+    ("of these, gather", "gather_cpu_s", "s"),
+    ("photons emitted", "photons_emitted", ""),
+    ("photons stored", "photons_stored", ""),
+    ("photons per CPU second", "photons_per_cpu_s", "/s"),
+    ("gathers per CPU second", "gathers_per_cpu_s", "/s"),
+)
+VIEWS = (
+    ("side", "Side by side", "1"),
+    ("flip", "Flip", "2"),
+    ("slider", "Slider", "3"),
+    ("difference", "Difference", "4"),
+    ("error", "FLIP", "5"),
+)
+
+
+def build_report(folder: Path) -> Path:
+    """Turn ``folder/results.json`` and its images into pages; returns ``folder/index.html``.
+
+    Raises FileNotFoundError without a ``results.json``, ImageError for an image that is named there and cannot be read.
+    """
+    results = read_results(folder / "results.json")
+    shutil.copytree(HERE / "static", folder / "report", dirs_exist_ok=True)
+    environment = _environment()
+    ordered = page.worst_first(results.scenes)
+    index = environment.get_template("index.html").render(
+        results=results, scenes=ordered, phenomena=page.run_phenomena(results), root=""
+    )
+    (folder / "index.html").write_text(index, encoding="utf-8")
+    template = environment.get_template("scene.html")
+    for place, scene in enumerate(ordered):
+        (folder / scene.name).mkdir(exist_ok=True)
+        text = template.render(
+            results=results,
+            scene=scene,
+            viewer=_viewer(folder, scene),
+            cost_rows=[row for row in COST_ROWS if any(getattr(run, row[1]) is not None for run in scene.engines)],
+            previous=ordered[place - 1].name if place > 0 else None,
+            next=ordered[place + 1].name if place + 1 < len(ordered) else None,
+            root="../",
+        )
+        (folder / scene.name / "index.html").write_text(text, encoding="utf-8")
+    return folder / "index.html"
+
+
+def _viewer(folder: Path, scene: SceneResult) -> dict[str, Any] | None:
+    """Write the scene's pixels as scripts and return what its viewer needs to know; None without images."""
+    if not scene.images:
+        return None
+    place = folder / scene.name
+    scripts, layers = [], []
+    for image in scene.images:
+        pixels = read_image(folder / image.exr)
+        scripts += write_tiles(place, image.side, pixels.radiance)
+        for layer, array in pixels.layers.items():
+            # Layers are loaded by the page when somebody asks for them.
+            layers.append((layer, image.side, write_tiles(place, f"{image.side}.{layer}", array)))
+    if "error" in scene.differences:
+        scripts += write_tiles(place, "error", read_image(folder / scene.differences["error"]).radiance[..., :1])
+    sides = [image.side for image in scene.images]
+    data = {
+        "sides": sides,
+        "names": {side: page.side_name(side) for side in sides},
+        "width": scene.width,
+        "height": scene.height,
+        "stops": scene.exposure_stops,
+        "has_error": "error" in scene.differences,
+        "layers": {f"{side}.{layer}": names for layer, side, names in layers},
+        "maps": {"heat": HEAT.tolist(), "signed": [COLD.tolist(), NEUTRAL.tolist(), HOT.tolist()]},
+        "outlines": {entry.name: entry.patch.outline_px for entry in scene.observations},
+    }
+    views = [
+        view for view in VIEWS if (view[0] != "error" or data["has_error"]) and (len(sides) > 1 or view[0] == "side")
+    ]
+    names = list(dict.fromkeys(layer for layer, _, _ in layers))
+    return {"data": data, "views": views, "layers": names, "sides": sides, "scripts": scripts}
+
+
+def _environment() -> jinja2.Environment:
+    """Templates that refuse unknown names, with the page's ways to write a number."""
+    environment = jinja2.Environment(
+        loader=jinja2.FileSystemLoader(HERE / "templates"),
+        autoescape=True,
+        undefined=jinja2.StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    environment.filters |= {
+        "words": page.words,
+        "side": page.side_name,
+        "key": page.verdict_key,
+        "quantity": page.quantity,
+        "percent": page.percent,
+        "confidence": page.confidence,
+        "factor": page.factor,
+        "phenomena": page.scene_phenomena,
+        "by_pair": page.by_pair,
+        "headline": page.headline,
+        "flat": page.flat,
+        "setting": page.setting,
+        "cpu": page.cpu,
+        "lower_first": page.lower_first,
+        "bar": figures.interval_bar,
+        "plot": figures.profile_plot,
+    }
+    environment.globals |= {"glyphs": page.GLYPHS, "status_words": page.STATUS_WORDS}
+    return environment

@@ -1,0 +1,161 @@
+"""How numbers and words of ``results.json`` are written on the page: formatting, glyphs, order. Nothing is computed."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+from vitrail.judge.comparison import Comparison, ObservationResult, Pair, Verdict
+from vitrail.judge.records import Results, SceneResult, Status
+from vitrail.scene.phenomenon import Phenomenon
+
+GLYPHS = {"agrees": "✓", "deviates": "✕", "inconclusive": "?", "unjudged": "–"}
+ORDER = ("unjudged", "deviates", "inconclusive", "agrees")
+PREFIXES = ((1e-9, "n"), (1e-6, "µ"), (1e-3, "m"), (1.0, ""), (1e3, "k"))
+RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+"""Digits of a unit are exponents."""
+
+STATUS_WORDS = {
+    Status.JUDGED: "judged",
+    Status.GATE_FAILED: "a gate failed",
+    Status.SCENE_ERROR: "scene error",
+    Status.NOT_TRANSLATABLE: "not translatable",
+    Status.ENGINE_FAILED: "an engine failed",
+    Status.INTERRUPTED: "interrupted",
+}
+
+
+def number(value: float | None, digits: int = 4) -> str:
+    """A number at ``digits`` significant figures with a true minus sign; large and tiny ones in powers of ten."""
+    if value is None:
+        return "–"
+    if value == 0:
+        return "0"
+    if not 1e-4 <= abs(value) < 1e6:
+        mantissa, exponent = f"{value:.{digits - 1}e}".split("e")
+        mantissa = mantissa.rstrip("0").rstrip(".") if "." in mantissa else mantissa
+        return f"{mantissa}e{int(exponent)}".replace("-", "−")
+    decimals = max(digits - 1 - math.floor(math.log10(abs(value))), 0)
+    text = f"{value:,.{decimals}f}"
+    if "." in text:
+        text = text.rstrip("0").rstrip(".")
+    return text.replace("-", "−").replace(",", "\u2009")
+
+
+def quantity(value: float | None, unit: str, digits: int = 4) -> str:
+    """A number with its unit; metres take the prefix that keeps the number between 1 and 1000."""
+    if value is None:
+        return "–"
+    if unit == "m" and value != 0:
+        scale, prefix = max((entry for entry in PREFIXES if entry[0] <= abs(value) * 1.0000001), default=PREFIXES[0])
+        return f"{number(value / scale, digits)}\u202f{prefix}m"
+    if unit in ("", "1"):
+        return number(value, digits)
+    return f"{number(value, digits)}\u202f{unit.translate(RAISED).replace('^', '')}"
+
+
+def percent(value: float) -> str:
+    return f"{number(100 * value, 3)}\u202f%"
+
+
+def words(name: str) -> str:
+    """A name as it is read: ``flux_ratio.red`` becomes ``flux ratio, red``."""
+    return name.replace("_", " ").replace(".", ", ")
+
+
+def side_name(side: str) -> str:
+    """The name of an image's maker as people write it."""
+    return {"povray": "POV-Ray", "tracer": "Tracer", "truth": "Closed form", "stored": "Stored reference"}.get(
+        side, side.capitalize()
+    )
+
+
+def verdict_key(verdict: Verdict | None) -> str:
+    return "unjudged" if verdict is None else verdict.value
+
+
+def scene_phenomena(scene: SceneResult) -> dict[str, str]:
+    """Phenomenon to the worst verdict among the scene's observations of it, in the order of the vocabulary."""
+    found: dict[str, str] = {}
+    for phenomenon in Phenomenon:
+        keys = [verdict_key(entry.verdict) for entry in scene.observations if entry.phenomenon is phenomenon]
+        if keys:
+            found[phenomenon.value] = min(keys, key=ORDER.index)
+    return found
+
+
+def run_phenomena(results: Results) -> list[str]:
+    """The phenomena that any scene of the run observes, in the order of the vocabulary."""
+    seen = {entry.phenomenon for scene in results.scenes for entry in scene.observations}
+    return [phenomenon.value for phenomenon in Phenomenon if phenomenon in seen]
+
+
+def worst_first(scenes: Iterable[SceneResult]) -> list[SceneResult]:
+    return sorted(scenes, key=lambda scene: (ORDER.index(verdict_key(scene.verdict)), scene.name))
+
+
+def by_pair(observation: ObservationResult) -> list[tuple[Pair, list[Comparison]]]:
+    """The comparisons of an observation by who is held against whom, in the order of the vocabulary of pairs."""
+    grouped = [(pair, [entry for entry in observation.comparisons if entry.pair is pair]) for pair in Pair]
+    return [(pair, comparisons) for pair, comparisons in grouped if comparisons]
+
+
+def headline(scene: SceneResult) -> list[tuple[ObservationResult, Comparison]]:
+    """The comparisons a reader must see first: everything that deviates, or else everything in doubt."""
+    for verdict in (Verdict.DEVIATES, Verdict.INCONCLUSIVE):
+        found = [
+            (entry, comparison)
+            for entry in scene.observations
+            for comparison in entry.comparisons
+            if comparison.verdict is verdict
+        ]
+        if found:
+            return found
+    return []
+
+
+def flat(record: Mapping[str, Any], prefix: str = "") -> list[tuple[str, Any]]:
+    """A nested mapping as rows of dotted key and value, for a table of settings."""
+    rows: list[tuple[str, Any]] = []
+    for key, value in record.items():
+        name = f"{prefix}{key}"
+        if isinstance(value, Mapping):
+            rows.extend(flat(value, f"{name}."))
+        else:
+            rows.append((name, value))
+    return rows
+
+
+def setting(value: Any) -> str:
+    """A value of a settings table: numbers as numbers, lists with commas, nothing for absent."""
+    if isinstance(value, bool) or value is None:
+        return {True: "yes", False: "no", None: "–"}[value]
+    if isinstance(value, (int, float)):
+        return number(float(value), 6)
+    if isinstance(value, (list, tuple)):
+        return ", ".join(setting(item) for item in value)
+    return str(value)
+
+
+def confidence(level: float) -> str:
+    """A level near 1 as a percentage with enough nines: 0.99987 becomes 99.987 %."""
+    missing_percent = max(100 * (1 - level), 1e-12)
+    decimals = max(0, math.ceil(-math.log10(missing_percent)) + 1)
+    text = f"{100 * level:.{decimals}f}"
+    return f"{text.rstrip('0').rstrip('.') if '.' in text else text}\u202f%"
+
+
+def factor(value: float) -> str:
+    """How many times the samples: rounded up, and never less than a little more."""
+    return f"{number(max(math.ceil(value * 10) / 10, 1.1), 3)} times"
+
+
+def cpu(scene: SceneResult, engine: str) -> str:
+    """CPU seconds of one engine for the matrix of all scenes."""
+    return next((quantity(run.cpu_s, "s", 3) for run in scene.engines if run.engine == engine), "–")
+
+
+def lower_first(text: str) -> str:
+    """Inside a sentence: ``Closed form`` becomes ``closed form``; a proper name such as POV-Ray stays."""
+    return text if text[:2].isupper() else text[:1].lower() + text[1:]

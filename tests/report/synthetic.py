@@ -1,0 +1,168 @@
+"""A small run made of formulas, so that the report is tested without any engine: three scenes, one of each verdict."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+
+from vitrail.images.display import Display
+from vitrail.images.exr import write_image, write_png
+from vitrail.judge.comparison import (
+    Attribution,
+    Cause,
+    Comparison,
+    Curve,
+    ObservationResult,
+    Pair,
+    PatchRecord,
+    Profile,
+    TolerancePart,
+)
+from vitrail.judge.exit_code import of_run, of_scene
+from vitrail.judge.false_alarms import sidak
+from vitrail.judge.records import (
+    CertificateEntry,
+    EngineRun,
+    GlobalMetric,
+    ImageFiles,
+    PlanEntry,
+    Results,
+    Run,
+    SceneResult,
+    Speed,
+    Status,
+    write_results,
+)
+from vitrail.judge.verdict import Measured, Noise, decide, overall
+from vitrail.scene.phenomenon import Phenomenon
+
+WIDTH, HEIGHT = 96, 64
+OUTLINE = ((24.0, 36.0), (72.0, 36.0), (72.0, 60.0), (24.0, 60.0))
+
+
+def picture(brightness: float, seed: int) -> np.ndarray:
+    """A ring of light on a table, (height, width, 3), with a little noise so that neighbours differ."""
+    y, x = np.mgrid[0:HEIGHT, 0:WIDTH]
+    radius = np.hypot(x - 48, (y - 48) * 2)
+    ring = np.exp(-(((radius - 12) / 3) ** 2))[..., None] * np.array([1.4, 1.2, 0.8]) * brightness
+    table = np.where(y[..., None] > 24, 0.2, 0.03) * np.array([1.0, 0.97, 0.92])
+    noise = 1 + 0.01 * np.random.default_rng(seed).standard_normal((HEIGHT, WIDTH, 1))
+    return (table + ring) * noise
+
+
+def compared(pair: Pair, metric: str, value: float, error: float, tolerance: float) -> Comparison:
+    measured = Measured(pair, metric, "1", value, 1.0, Noise(error, 63, "half images"), settings={"cells": 48})
+    part = TolerancePart(source="threshold", amount=tolerance, reason="a number chosen for this test")
+    return decide(measured, [part], 0.9998)
+
+
+def observation(flux: float, error: float) -> ObservationResult:
+    comparisons = (
+        compared(Pair.TRACER_POVRAY, "flux_ratio.red", flux, error, 0.02),
+        compared(Pair.TRACER_POVRAY, "profile_correlation", 0.999, 0.0, 0.01),
+        compared(Pair.TRACER_TRUTH, "flux", flux * 0.998, error, 0.02),
+        compared(Pair.POVRAY_TRUTH, "flux", 1.001, 0.001, 0.03),
+    )
+    verdict = overall(entry.verdict for entry in comparisons)
+    positions = np.linspace(-0.02, 0.02, 48)
+    curve = np.exp(-((np.abs(positions) - 0.01) ** 2) / 1e-5)
+    profile = Profile(
+        along="u",
+        channel="luminance",
+        unit="W sr⁻¹ m⁻²",
+        positions_m=tuple(positions.tolist()),
+        curves=(
+            Curve(side="tracer", values=tuple((curve * flux).tolist()), standard_error=tuple([0.03] * 48)),
+            Curve(side="povray", values=tuple((curve * 1.001).tolist())),
+            Curve(side="truth", values=tuple(curve.tolist())),
+        ),
+    )
+    cause = Attribution(
+        cause=Cause.MODEL, engine="tracer", reason="POV-Ray agrees with the closed form, the tracer does not"
+    )
+    return ObservationResult(
+        name="ring",
+        phenomenon=Phenomenon.CAUSTIC,
+        patch=PatchRecord(center=(0, 0, 0), u=(0.02, 0, 0), v=(0, 0, 0.01), outline_px=OUTLINE),
+        comparisons=comparisons,
+        profiles=(profile,),
+        verdict=verdict or comparisons[0].verdict,
+        attribution=cause if verdict == "deviates" else None,
+    )
+
+
+def scene(folder: Path, name: str, title: str, flux: float, error: float) -> SceneResult:
+    """Write the pictures of one scene and return its record."""
+    place = folder / name
+    place.mkdir()
+    images = []
+    for seed, (side, brightness) in enumerate((("tracer", flux), ("povray", 1.0))):
+        radiance = picture(brightness, seed)
+        write_image(place / f"{side}.exr", radiance, layers={"caustic": radiance * 0.5} if side == "tracer" else None)
+        write_png(place / f"{side}.png", Display().apply(radiance))
+        images.append(ImageFiles(side=side, exr=f"{name}/{side}.exr", png=f"{name}/{side}.png"))
+    error_map = np.abs(picture(flux, 0) - picture(1.0, 1))
+    write_image(place / "error.exr", error_map)
+    observed = observation(flux, error)
+    engines = tuple(
+        EngineRun(engine=engine, version=version, cpu_s=cpu, photon_cpu_s=cpu / 2, gather_cpu_s=cpu / 4,
+                  photons_emitted=100_000, photons_per_cpu_s=2e5 / cpu, settings={"seed": 1},
+                  record={"vitrail_run": 1, "threads": 1, "ledger": {"closure": 1e-12}})
+        for engine, version, cpu in (("tracer", "0.1.0", 0.21), ("povray", "3.7.0.10", 2.2))
+    )  # fmt: skip
+    return SceneResult(
+        name=name,
+        title=title,
+        source=f"scenes/{name}.yaml",
+        scene_hash="0123456789abcdef" * 4,
+        status=Status.JUDGED,
+        width=WIDTH,
+        height=HEIGHT,
+        plan=(
+            PlanEntry(phenomenon=Phenomenon.CAUSTIC, required=True, evidence=("sun -> ball",), cost="1e5 photons"),
+            PlanEntry(phenomenon=Phenomenon.DISPERSION, required=False, evidence=("no material disperses",)),
+        ),
+        settings={"samples": 4, "gather_radius_m": 0.01},
+        certificate=(
+            CertificateEntry(phenomenon=Phenomenon.CAUSTIC, item="sun", source_law="E / pi", target_law="E / pi",
+                             residual=5e-4, unit="relative", reason="half-float output"),
+        ),
+        engines=engines,
+        speed=(Speed(phase="photon pass", ratio=10.5, unit="photons per CPU second"),),
+        images=tuple(images),
+        differences={"error": f"{name}/error.exr"},
+        global_metrics=(GlobalMetric(metric="ssim", value=0.987, unit="1", ideal=1.0, settings={"data_range": 1.0}),),
+        observations=(observed,),
+        reproduce=f"vitrail compare scenes/{name}.yaml --out out --quality draft --seed 1",
+        verdict=observed.verdict,
+        exit_code=of_scene(Status.JUDGED, observed.verdict),
+    )  # fmt: skip
+
+
+def write_run(folder: Path) -> Results:
+    """A run with one scene of each verdict and one that could not be rendered, written with its images."""
+    failed = SceneResult(
+        name="broken",
+        title="POV-Ray stopped",
+        source="scenes/broken.yaml",
+        status=Status.ENGINE_FAILED,
+        message="povray: Parse Error: Expected 'numeric expression', } found instead",
+        exit_code=of_scene(Status.ENGINE_FAILED, None),
+    )
+    scenes = (
+        scene(folder, "alike", "A ring that agrees", 1.004, 0.001),
+        scene(folder, "apart", "A ring that is too bright", 1.3, 0.002),
+        scene(folder, "unsure", "A ring in noise", 1.01, 0.006),
+        failed,
+    )
+    results = Results(
+        run=Run(vitrail_version="0.1.0", started="2026-01-02 03:04", processor="one core"),
+        false_alarms=sidak(0.01, 12),
+        scenes=scenes,
+        counts={"unjudged": 1, "deviates": 1, "inconclusive": 1, "agrees": 1},
+        verdict=overall(entry.verdict for entry in scenes),
+        exit_code=of_run(entry.exit_code for entry in scenes),
+    )
+    write_results(results, folder / "results.json")
+    return results

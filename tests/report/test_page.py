@@ -1,0 +1,63 @@
+"""How numbers are written for people."""
+
+from __future__ import annotations
+
+import pytest
+
+from vitrail.report.figures import ticks
+from vitrail.report.page import confidence, factor, number, quantity, words
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [
+        (0, "0"),
+        (1.0, "1"),
+        (1.30004, "1.3"),
+        (-0.0125, "−0.0125"),
+        (123456.0, "123\u2009456"),
+        (1.5e7, "1.5e7"),
+        (2.5e-7, "2.5e−7"),
+        (1e7, "1e7"),
+        (100.0, "100"),
+        (None, "–"),
+    ],
+)
+def test_numbers_keep_four_figures_and_a_true_minus(value: float | None, text: str) -> None:
+    assert number(value) == text
+
+
+@pytest.mark.parametrize(
+    ("value", "unit", "text"),
+    [
+        (0.0123, "m", "12.3\u202fmm"),
+        (-0.0005, "m", "−500\u202fµm"),
+        (2.0, "m", "2\u202fm"),
+        (0.0, "m", "0\u202fm"),
+        (3e-13, "m", "0.0003\u202fnm"),
+        (1.2, "1", "1.2"),
+        (0.254, "W sr^-1 m^-2", "0.254\u202fW sr⁻¹ m⁻²"),
+    ],
+)
+def test_metres_take_a_prefix_and_units_their_exponents(value: float, unit: str, text: str) -> None:
+    assert quantity(value, unit) == text
+
+
+def test_a_level_is_written_with_enough_nines() -> None:
+    assert confidence(0.99) == "99\u202f%"
+    assert confidence(0.999163) == "99.916\u202f%"
+    assert confidence(0.9999987) == "99.99987\u202f%"
+
+
+def test_the_sample_factor_never_promises_too_little() -> None:
+    assert factor(5.61) == "5.7 times"
+    assert factor(1.0) == "1.1 times"
+
+
+def test_words_of_a_metric_with_a_component() -> None:
+    assert words("flux_ratio.red") == "flux ratio, red"
+
+
+def test_ticks_are_round_and_inside() -> None:
+    assert ticks(-0.02, 0.02, 4) == pytest.approx([-0.02, -0.01, 0.0, 0.01, 0.02])
+    assert ticks(0.0, 1.3, 4) == pytest.approx([0.0, 0.5, 1.0])
