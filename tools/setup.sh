@@ -109,7 +109,7 @@ make_python_environment() {
     --retries 5 -c constraints.txt)
   "${pip[@]}" scikit_build_core pathspec packaging </dev/null ||
     fail "pip could not install the build back end" "check the network and pip's index, then run this again"
-  "${pip[@]}" --no-build-isolation -C wheel.cmake=false -e '.[test,lint]' </dev/null ||
+  "${pip[@]}" --no-build-isolation --config-settings=wheel.cmake=false -e '.[test,lint]' </dev/null ||
     fail "pip could not install Vitrail and its packages" "read pip's message above; removing .venv starts afresh"
   environment_key >"$stamp"
 }
