@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -65,6 +66,19 @@ def test_cpp_includes_keep_to_the_table() -> None:
             header = own_header(name)
             if header is not None and header.parts[0] not in rules[layer]:
                 broken.append(f"{path.relative_to(TRACER.parent)}: {layer} may not include {name}")
+    assert not broken, "\n".join(broken)
+
+
+def test_link_lines_keep_to_the_table() -> None:
+    """Each folder is a library whose link line is its row, so that what is not listed does not link either."""
+    rules = allowed(CPP)
+    broken = []
+    for path in sorted(TRACER.glob("*/CMakeLists.txt")):
+        for call in re.findall(r"vitrail_library\(([^)]*)\)", path.read_text(encoding="utf-8")):
+            layer, *linked = call.split()
+            ours = {name.removeprefix("vitrail_") for name in linked if name.startswith("vitrail_")}
+            if layer != path.parent.name or not ours <= rules[layer]:
+                broken.append(f"{path.relative_to(TRACER.parent)}: {layer} links {sorted(ours - rules[layer])}")
     assert not broken, "\n".join(broken)
 
 
