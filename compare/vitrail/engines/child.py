@@ -172,6 +172,8 @@ def _limit(pid: int, limits: Limits) -> None:
             resource.prlimit(pid, resource.RLIMIT_AS, (limits.memory_bytes, limits.memory_bytes))
     except ProcessLookupError:
         pass  # It has ended already.
+    except PermissionError:
+        pass  # It has become a user of its own behind the walls of ``isolate``, which set its limits.
 
 
 def _kill_group(process: subprocess.Popen[bytes]) -> None:

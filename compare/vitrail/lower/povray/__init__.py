@@ -1,0 +1,9 @@
+"""Back end for POV-Ray 3.7: scene text, runs, and a certificate of what POV-Ray does differently.
+
+[P n] refers to the measurements of POV-Ray 3.7.0.10 listed in ``docs/sources.md``.
+"""
+
+from vitrail.lower.povray.lower import PovrayRun, PovrayScene, lower_povray
+from vitrail.lower.povray.refusal import NotTranslatable
+
+__all__ = ["NotTranslatable", "PovrayRun", "PovrayScene", "lower_povray"]

@@ -1,0 +1,45 @@
+"""What the translation to POV-Ray changes, and by how much: a list of laws, each with its residual.
+
+A residual is relative to the phenomenon's own size unless its unit says otherwise. ``bound`` adds up what may act
+together on one phenomenon; the judge takes no smaller deviation between the engines for a disagreement.
+"""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass
+from typing import Any
+
+from vitrail.scene.phenomenon import Phenomenon
+
+RELATIVE = "relative"
+
+
+@dataclass(frozen=True)
+class Entry:
+    """One law of the scene and the law that stands for it in POV-Ray."""
+
+    phenomenon: Phenomenon
+    item: str
+    source_law: str
+    target_law: str
+    residual: float
+    unit: str
+    reason: str
+
+
+@dataclass(frozen=True)
+class Certificate:
+    """Every approximation of one translation."""
+
+    entries: tuple[Entry, ...]
+
+    def bound(self, phenomenon: Phenomenon) -> float:
+        """The sum of the relative residuals that act on a phenomenon; other units are not added."""
+        return sum(each.residual for each in self.entries if each.phenomenon is phenomenon and each.unit == RELATIVE)
+
+    def of(self, phenomenon: Phenomenon) -> tuple[Entry, ...]:
+        return tuple(each for each in self.entries if each.phenomenon is phenomenon)
+
+    def as_records(self) -> list[dict[str, Any]]:
+        """Plain values for a report or a run record."""
+        return [{**asdict(each), "phenomenon": each.phenomenon.value} for each in self.entries]

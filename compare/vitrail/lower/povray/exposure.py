@@ -1,0 +1,40 @@
+"""What one POV-Ray run shows of the scene: which colour channel, and at which brightness.
+
+Photons keep 8 bits per channel relative to their brightest one, lose everything at a flux of 32, and are truncated
+unless their mantissa has 8 bits [P 2.4]. So every run multiplies all light by one factor, undone in the image, and a
+run may show a single channel of lights and materials as grey.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+Triplet = tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class Exposure:
+    """``channel`` None shows all three; ``light_factor`` multiplies every radiance of the run's image."""
+
+    channel: int | None = None
+    light_factor: float = 1.0
+
+    def share(self, colour: Sequence[float]) -> Triplet:
+        """A dimensionless colour (albedo, transmission) as this run sees it."""
+        if self.channel is None:
+            return (colour[0], colour[1], colour[2])
+        return (colour[self.channel],) * 3
+
+    def light(self, colour: Sequence[float]) -> Triplet:
+        """A radiometric colour as this run sees it, with the factor."""
+        red, green, blue = self.share(colour)
+        return (red * self.light_factor, green * self.light_factor, blue * self.light_factor)
+
+    @property
+    def gain(self) -> Triplet:
+        """What the run's image is multiplied by, per channel, before the runs of one half are added."""
+        if self.channel is None:
+            return (1 / self.light_factor,) * 3
+        red, green, blue = (1 / self.light_factor if index == self.channel else 0.0 for index in range(3))
+        return (red, green, blue)

@@ -1,0 +1,172 @@
+"""The paper's material as POV-Ray textures: d, r and t independent of each other, exact for camera rays and photons.
+
+One layer cannot do it, because POV-Ray takes d and t from one pigment [P 4.2]. With s = r + t the same in every
+channel, a face is the *average* of two textures by weight: with weight s a clear one that only mirrors and refracts, and
+with weight 1 - s an opaque one that only scatters. POV-Ray lets total internal reflection through at full strength
+whatever the finish says [P 4.1]; inside the average it then carries the weight s, which is the scene's law.
+The Fresnel split is exact for the same reason. Where s differs by channel (native runs only), two layers stand in.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from vitrail.lower.povray.exposure import Exposure, Triplet
+from vitrail.lower.povray.normalise import Normalisation
+from vitrail.lower.povray.patterns import coloured
+from vitrail.lower.povray.sdl import block, number, rgb
+from vitrail.scene.model import Material
+from vitrail.scene.placement import Placed
+
+LAYER_SHARE = 0.5
+"""How much the lower, scattering layer lets through; the filter layer above makes up for it [P 4.2]."""
+DARKEST_FILTER = 1e-4
+"""Filter of a channel without transmission but with diffuse share: the layer below must stay visible [P 4.2]."""
+GREY_SLACK = 1e-12
+
+
+@dataclass(frozen=True)
+class Surface:
+    """A material on one object in one run."""
+
+    material: Material
+    placed: Placed
+    exposure: Exposure
+    normalisation: Normalisation
+
+    @property
+    def pool(self) -> Triplet:
+        """s = r + t per channel of this run."""
+        return specular_pool(self.material, self.exposure)
+
+
+def specular_pool(material: Material, exposure: Exposure) -> Triplet:
+    r, t = exposure.share(material.reflection), exposure.share(material.transmission)
+    return (min(1.0, r[0] + t[0]), min(1.0, r[1] + t[1]), min(1.0, r[2] + t[2]))
+
+
+def is_grey(colour: Triplet) -> bool:
+    return max(colour) - min(colour) <= GREY_SLACK
+
+
+def texture_sdl(surface: Surface) -> str:
+    """The texture of an object, ready to stand after its shape."""
+    material = surface.material
+    if not material.is_transmissive:
+        return _weighted(_opaque_parts(surface))
+    if max(surface.pool) == 0:
+        return _weighted([*_scattering(surface, 1.0, 1.0), *_glow(surface, 1.0)] or [(1.0, _black())])
+    if is_grey(surface.pool) and material.emission is None:
+        return _averaged_glass(surface)
+    return _layered_glass(surface)
+
+
+# --- opaque ---------------------------------------------------------------------------------------------------------
+
+
+def _opaque_parts(surface: Surface) -> list[tuple[float, str]]:
+    """Scattering with the mirror in one texture; glow as a second one, because it has its own colour."""
+    material = surface.material
+    mirror = _mirror(material, surface.exposure.share(material.reflection), keep_energy=False)
+    if material.emission is None:
+        return [(1.0, _texture(coloured(material.diffuse, surface, 1.0, light=False), _finish("diffuse 1", mirror)))]
+    if not material.is_diffuse and not mirror:
+        return list(_glow(surface, 1.0))
+    # Split evenly, doubled to make up for it.
+    doubled = _mirror(material, _times(surface.exposure.share(material.reflection), 2.0), keep_energy=False)
+    scatter = _texture(coloured(material.diffuse, surface, 2.0, light=False), _finish("diffuse 1", doubled))
+    return [(0.5, scatter), *((0.5, body) for _, body in _glow(surface, 2.0))]
+
+
+def _scattering(surface: Surface, weight: float, factor: float) -> list[tuple[float, str]]:
+    if not surface.material.is_diffuse:
+        return []
+    return [(weight, _texture(coloured(surface.material.diffuse, surface, factor, light=False), _finish("diffuse 1")))]
+
+
+def _glow(surface: Surface, factor: float) -> list[tuple[float, str]]:
+    if surface.material.emission is None:
+        return []
+    return [(1.0, _texture(coloured(surface.material.emission, surface, factor, light=True), _finish("emission 1")))]
+
+
+# --- glass ----------------------------------------------------------------------------------------------------------
+
+
+def _averaged_glass(surface: Surface) -> str:
+    """Clear with weight s, opaque with weight 1 - s."""
+    share = surface.pool[0]
+    clear = (share, _clear(surface, share))
+    if share >= 1 - GREY_SLACK:
+        return _weighted([(1.0, clear[1])])
+    scatter = _scattering(surface, 1 - share, 1 / (1 - share))
+    return _weighted([clear, *(scatter or [(1 - share, _black())])])
+
+
+def _clear(surface: Surface, share: float) -> str:
+    """Mirrors and refracts all light: r / s and t / s, or by Fresnel."""
+    material, exposure = surface.material, surface.exposure
+    if material.fresnel:
+        return _texture("rgb 1 filter 1", _finish("reflection { 0, 1 fresnel on } conserve_energy"))
+    transmission = _times(exposure.share(material.transmission), 1 / share)
+    mirror = _mirror(material, _times(exposure.share(material.reflection), 1 / share), keep_energy=False)
+    return _texture(f"{rgb(transmission)} filter 1", _finish(mirror))
+
+
+def _layered_glass(surface: Surface) -> str:
+    """A filter above a scattering layer; the mirror belongs to the lower one, which its Fresnel dimming then spares."""
+    material, exposure = surface.material, surface.exposure
+    pool = surface.pool if material.fresnel else exposure.share(material.transmission)
+    mirror = _mirror(
+        material,
+        surface.pool if material.fresnel else exposure.share(material.reflection),
+        keep_energy=material.fresnel,
+    )
+    lower = material.diffuse if material.is_diffuse else material.emission
+    if lower is None:
+        return _texture(f"{rgb(pool)} filter 1", _finish(mirror))
+    # Divide the lower layer by what the filter above takes from it, channel by channel.
+    above = tuple(max(value / LAYER_SHARE, DARKEST_FILTER) for value in pool)
+    below = tuple(1 / (value * (1 - LAYER_SHARE)) for value in above)
+    look = "diffuse 1" if material.is_diffuse else "emission 1"
+    scatter = coloured(lower, surface, below, light=not material.is_diffuse, suffix=f" transmit {number(LAYER_SHARE)}")
+    return "\n".join([_texture(scatter, _finish(look, mirror)), _texture(f"{rgb(above)} filter 1", _finish())])
+
+
+# --- text -----------------------------------------------------------------------------------------------------------
+
+
+def _mirror(material: Material, colour: Triplet, *, keep_energy: bool) -> str:
+    if max(colour) == 0:
+        return ""
+    if material.fresnel:
+        return f"reflection {{ 0, {rgb(colour)} fresnel on }}" + (" conserve_energy" if keep_energy else "")
+    return f"reflection {{ {rgb(colour)} }}"
+
+
+def _texture(pigment: str, finish: str) -> str:
+    return block("texture", [f"pigment {{ {pigment} }}", finish])
+
+
+def _finish(*parts: str) -> str:
+    kept = [part for part in parts if part]
+    return f"finish {{ {' '.join(kept)} }}" if kept else ""
+
+
+def _black() -> str:
+    return _texture("rgb 0", "")
+
+
+def _weighted(parts: list[tuple[float, str]]) -> str:
+    """One texture as it is; several as their average by weight."""
+    if len(parts) == 1:
+        return parts[0][1]
+    entries = []
+    for weight, body in parts:
+        inner = body.removeprefix("texture {").removesuffix("}").strip()
+        entries.append(f"[{number(weight)} {inner}]")
+    return block("texture", ["average", block("texture_map", entries)])
+
+
+def _times(colour: Triplet, factor: float) -> Triplet:
+    return (colour[0] * factor, colour[1] * factor, colour[2] * factor)
