@@ -1,0 +1,1 @@
+"""Optics as formulas: refraction indices of real glass, the bands that light is split into, colour."""
