@@ -15,6 +15,7 @@ from vitrail.lower.povray.exposure import Exposure, Triplet
 from vitrail.lower.povray.normalise import Normalisation
 from vitrail.lower.povray.refusal import NotTranslatable, Refusals
 from vitrail.lower.povray.sdl import block, number, rgb, vector
+from vitrail.scene.diagnostic import Diagnostic
 from vitrail.scene.model import Area, Directional, Environment, Light, Point, Scene, Spot
 from vitrail.scene.vector import Vec, scale, unit
 
@@ -28,7 +29,7 @@ NEAREST_SURFACE = 1e-3
 
 @dataclass(frozen=True)
 class Source:
-    """One POV-Ray light: at ``position``, or parallel along ``direction``; ``strength`` is E / pi or I / pi in units."""
+    """One POV-Ray light, at ``position`` or parallel along ``direction``; ``strength`` is E / pi or I / pi in units."""
 
     strength: Triplet
     position: Vec
@@ -38,7 +39,7 @@ class Source:
 
 def sources(scene: Scene, normalisation: Normalisation, refusals: Refusals) -> tuple[Source, ...]:
     """The lights of a scene as POV-Ray emitters, at full light; raises NotTranslatable."""
-    refused = []
+    refused: list[Diagnostic] = []
     found: list[Source] = []
     for index, light in enumerate(scene.lights):
         try:

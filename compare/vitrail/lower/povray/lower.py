@@ -117,7 +117,7 @@ def _runs(parts: _Parts, mode: Mode, settings: Settings) -> list[PovrayRun]:
             exposure = Exposure(channel)
             factor = light_factor(parts.scene, parts.lights, parts.photons, exposure, parts.units)
             exposure = replace(exposure, light_factor=factor)
-            name = half if channel is None else f"{half}_{'red green blue'.split()[channel]}"
+            name = half if channel is None else f"{half}_{('red', 'green', 'blue')[channel]}"
             found.append(
                 PovrayRun(
                     name=name,

@@ -1,8 +1,8 @@
 """The paper's material as POV-Ray textures: d, r and t independent of each other, exact for camera rays and photons.
 
 One layer cannot do it, because POV-Ray takes d and t from one pigment [P 4.2]. With s = r + t the same in every
-channel, a face is the *average* of two textures by weight: with weight s a clear one that only mirrors and refracts, and
-with weight 1 - s an opaque one that only scatters. POV-Ray lets total internal reflection through at full strength
+channel, a face is the *average* of two textures by weight: with weight s a clear one that only mirrors and refracts,
+and with weight 1 - s an opaque one that only scatters. POV-Ray lets total internal reflection through at full strength
 whatever the finish says [P 4.1]; inside the average it then carries the weight s, which is the scene's law.
 The Fresnel split is exact for the same reason. Where s differs by channel (native runs only), two layers stand in.
 """

@@ -45,7 +45,7 @@ class Normalisation:
 
 
 def normalise(scene: Scene, refusals: Refusals) -> Normalisation:
-    """The normalisation of a scene; raises NotTranslatable where one scale cannot hold its smallest and largest part."""
+    """The normalisation of a scene; raises NotTranslatable where no scale holds its smallest and its largest part."""
     bounds = extent_of(scene)
     diameter = 2 * bounds.radius_m
     smallest, thinnest = min(_features(scene), default=(diameter, None))
@@ -54,14 +54,15 @@ def normalise(scene: Scene, refusals: Refusals) -> Normalisation:
         factor *= 2
     if smallest * factor < SMALLEST_FEATURE and thinnest is not None:
         what = (
-            f"a feature of {smallest:.3g} m in a scene of {diameter:.3g} m is {smallest * factor:.2g} POV-Ray units thick,"
-            f" below the {SMALLEST_FEATURE:g} that its absolute tolerances resolve"
+            f"a feature of {smallest:.3g} m in a scene of {diameter:.3g} m is {smallest * factor:.2g} POV-Ray units"
+            f" thick, below the {SMALLEST_FEATURE:g} that its absolute tolerances resolve"
         )
         raise NotTranslatable([refusals.at(what, "make it thicker or the scene smaller", "objects", thinnest)])
     centre = _centre(bounds.centre, diameter)
     result = Normalisation(centre, factor)
     if length(result.point(scene.camera.position)) > FARTHEST_CAMERA:
-        what = f"the camera is {length(subtract(scene.camera.position, bounds.centre)):.3g} m away from a scene of {diameter:.3g} m"
+        away = length(subtract(scene.camera.position, bounds.centre))
+        what = f"the camera is {away:.3g} m away from a scene of {diameter:.3g} m"
         raise NotTranslatable([refusals.at(what, "move it nearer; POV-Ray loses digits there", "camera", "position")])
     return result
 
