@@ -123,7 +123,8 @@ SMALL = _size_axis("small_scale", "radius of a ball, downwards", 0.125)
 def _stack_scene(panes: float) -> str:
     count = int(panes)
     boxes = "\n".join(
-        f"  - {{name: pane{i}, box: {{min: [-1, -1, {0.25 * i!r}], max: [1, 1, {0.25 * i + 0.125!r}]}}, material: glass}}"
+        f"  - {{name: pane{i}, material: glass,"
+        f" box: {{min: [-1, -1, {0.25 * i!r}], max: [1, 1, {0.25 * i + 0.125!r}]}}}}"
         for i in range(count)
     )
     return f"""vitrail: 1

@@ -1,0 +1,49 @@
+"""``vitrail extremes``: walk every axis in both engines and draw the stability atlas."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import typer
+
+from vitrail.commands.exit_code import exit_codes, usage_error
+from vitrail.commands.output import print_json
+
+
+def extremes(
+    out: Path = typer.Option(..., "--out", metavar="DIR", help="Folder of the study; call again to resume."),
+    axis: list[str] = typer.Option([], "--axis", help="Only this axis; may be given several times."),
+    jobs: int = typer.Option(1, "--jobs", min=1, help="Tasks at a time."),
+    as_json: bool = typer.Option(False, "--json", help="Print the atlas as JSON."),
+) -> None:
+    with exit_codes():
+        from vitrail.commands.study_options import study_progress
+        from vitrail.report.atlas_page import write_atlas_page
+        from vitrail.study.extremes.atlas import AXES, run_atlas
+
+        names = [known.name for known in AXES]
+        unknown = [name for name in axis if name not in names]
+        if unknown:
+            raise usage_error(f"--axis {unknown[0]}: there is no such axis; choose from {', '.join(names)}")
+        chosen = [known for known in AXES if not axis or known.name in axis]
+        with study_progress("extremes") as report:
+            atlas = run_atlas(out, jobs=jobs, axes=chosen, report=report)
+        page = write_atlas_page(out, atlas)
+    if as_json:
+        print_json(atlas)
+        return
+    for record in atlas["axes"]:
+        typer.echo(f"{record['name']}: {record['quantity']} ({record['unit']})")
+        for engine, found in record["engines"].items():
+            typer.echo(f"  {engine:8} {_words(found)}")
+    typer.echo(f"the atlas is {page}")
+
+
+def _words(found: dict) -> str:
+    """One engine's range in a sentence."""
+    if found.get("failure"):
+        return f"not measured: {found['failure']}"
+    if found["first_failing"] is None:
+        return f"holds to {found['last_holding']:.3g}, the last value tried"
+    why = f" ({found['limit']})" if found["limit"] else ""
+    return f"fails from {found['first_failing']:.3g}{why}"

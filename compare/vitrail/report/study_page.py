@@ -1,0 +1,36 @@
+"""What the pages of studies share: the template environment, and a folder that opens from disk."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import jinja2
+
+from vitrail.report.page import number, quantity
+
+HERE = Path(__file__).parent
+
+
+def environment() -> jinja2.Environment:
+    """Templates with strict names: a missing number is an error, never an empty cell."""
+    found = jinja2.Environment(
+        loader=jinja2.FileSystemLoader(HERE / "templates"), autoescape=True, undefined=jinja2.StrictUndefined
+    )
+    found.filters.update(number=number, quantity=quantity)
+    return found
+
+
+def write_study_page(out: Path, html: str) -> Path:
+    """``index.html`` with the styles it names beside it; each file appears whole."""
+    for name in ("style.css", "study.css"):
+        text = (HERE / "static" / name).read_text(encoding="utf-8")
+        _write(out / "report" / name, text)
+    _write(out / "index.html", html)
+    return out / "index.html"
+
+
+def _write(path: Path, text: str) -> None:
+    path.parent.mkdir(parents=True, exist_ok=True)
+    partial = path.with_name(f".{path.name}.partial")
+    partial.write_text(text, encoding="utf-8")
+    partial.replace(path)

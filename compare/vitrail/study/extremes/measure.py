@@ -1,0 +1,71 @@
+"""Measure one value of one axis in one engine."""
+
+from __future__ import annotations
+
+import math
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from vitrail.engines.base import EngineFailure
+from vitrail.engines.povray_text import render_text
+from vitrail.engines.tracer import Tracer
+from vitrail.images.exr import read_image
+from vitrail.lower.tracer import lower_tracer
+from vitrail.plan.analyse import everything
+from vitrail.plan.budget import settings_for
+from vitrail.scene.load import load_text
+from vitrail.study.extremes.axis import AtlasEngine, Axis
+from vitrail.study.extremes.search import Reading
+
+MOST_VERTICES = 1200
+"""More than a path may have: 1000 transmissions and what it ends on."""
+
+
+def probe_of(axis: Axis, engine: AtlasEngine) -> Callable[[float], Reading]:
+    """A probe for ``find_limit``; where the axis has no closed form, the first reading is the expected number."""
+    measure = _MEASURES[engine]
+    first: list[float] = []
+
+    def probe(value: float) -> Reading:
+        expected = axis.expected(value)
+        try:
+            measured, words = measure(axis, value), ""
+        except EngineFailure as failure:
+            # A refusal or a crash is a reading too: the range ends here, and the engine says why.
+            measured, words = math.nan, str(failure)
+        if math.isnan(expected):
+            first.append(measured)
+            expected = first[0]
+        return Reading(value, measured, expected, axis.tolerance[engine].value, words)
+
+    return probe
+
+
+def _povray(axis: Axis, value: float) -> float:
+    return axis.read(render_text(axis.sdl(value), axis.pixels, axis.pixels).radiance, value)
+
+
+def _tracer(axis: Axis, value: float) -> float:
+    lowered = _lowered(axis, value)
+    if axis.ray is not None:
+        ray = axis.ray(value)
+        numbers = [",".join(map(repr, vector)) for vector in (ray.origin, ray.direction)]
+        arguments = ["--origin", numbers[0], "--direction", numbers[1], "--branch", ray.branch]
+        answer = Tracer().trace(lowered, [*arguments, "--max-vertices", str(MOST_VERTICES)])
+        return ray.read(answer["vertices"])
+    with tempfile.TemporaryDirectory(prefix="vitrail-atlas-") as folder:
+        rendering = Tracer().render(lowered, Path(folder), threads=1)
+        return axis.read(read_image(rendering.image_path).radiance, value)
+
+
+def _lowered(axis: Axis, value: float) -> dict[str, Any]:
+    """The scene for the tracer with everything on, one sample a pixel."""
+    scene = load_text(axis.scene(value), f"{axis.name}.yaml").scene
+    plan = everything(scene)
+    settings = settings_for(scene, plan, "draft", samples=1, **({"photons": axis.photons} if axis.photons else {}))
+    return lower_tracer(scene, plan, settings)
+
+
+_MEASURES: dict[AtlasEngine, Callable[[Axis, float], float]] = {"tracer": _tracer, "povray": _povray}
