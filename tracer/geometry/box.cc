@@ -7,7 +7,7 @@ namespace vitrail {
 bool cut_slab(Span& span, double origin, double direction, double low, double high, std::uint32_t face_low,
               std::uint32_t face_high, const Departure* left) {
   const bool from_low = departs_from(left, face_low), from_high = departs_from(left, face_high);
-  if (direction == 0) return from_low || from_high || (low < origin && origin < high);
+  if (direction == 0) return left != nullptr || (low < origin && origin < high);
   const double t_low = from_low ? 0.0 : (low - origin) / direction;
   const double t_high = from_high ? 0.0 : (high - origin) / direction;
 

@@ -10,9 +10,9 @@ namespace vitrail {
 
 /// A face the ray stands on: never hit again at distance zero. Curved faces may be hit at their other root.
 struct Departure {
-  std::uint32_t primitive = 0;
-  std::uint32_t face = 0;
-  bool inside = false;  // the ray goes on inside the solid (for a sheet: on the side against its normal)
+  std::uint32_t object = 0;
+  std::uint32_t face = 0;  // numbered by the shape; the triangle of a mesh
+  bool inside = false;     // the ray goes on inside the solid (for a sheet: on the side against its normal)
 };
 
 /// A few values in place: the faces that coincide in one point are a handful. What exceeds the capacity is dropped.
@@ -42,7 +42,6 @@ using Departures = Few<Departure, 6>;
 struct Crossing {
   double t = 0;
   std::uint32_t object = 0;
-  std::uint32_t primitive = 0;
   std::uint32_t face = 0;
   bool entering = false;  // from the side the outward normal points to
   bool counted = false;   // a mesh: its shells may overlap each other
@@ -68,7 +67,7 @@ struct Hit {
  private:
   Departures leave(bool pass) const {
     Departures result;
-    for (const Crossing& c : crossings) result.push_back({c.primitive, c.face, c.entering == pass});
+    for (const Crossing& c : crossings) result.push_back({c.object, c.face, c.entering == pass});
     return result;
   }
 };

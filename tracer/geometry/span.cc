@@ -5,7 +5,7 @@ namespace vitrail {
 bool first_event(const Span* begin, const Span* end, const Departure* left, ShapeHit& hit) {
   const bool inside = left != nullptr && left->inside;
   for (const Span* span = begin; span != end; ++span) {
-    if (!(span->out > 0) || departs_from(left, span->face_out) && span->out == 0) continue;
+    if (!(span->out > 0)) continue;
 
     // Inside by departure: this span holds the ray unless it only starts ahead; then the ray has come out already.
     if (inside) {

@@ -2,6 +2,7 @@
 /// What one hit does with light: the same answer for camera rays and photons.
 
 #include <cstdint>
+#include <limits>
 
 #include "geometry/accel.h"
 
@@ -45,6 +46,9 @@ Interaction interact(const Scene& scene, const Hit& hit, Vec3 direction, const M
 
 /// The index of the medium a set rules, for the radiance factor (n_camera / n_here)^2 of surfaces inside glass.
 double ior_in(const Scene& scene, const MediumSet& media, std::uint32_t band);
+
+/// The distance of an escaped ray.
+inline constexpr double kEndless = std::numeric_limits<double>::infinity();
 
 /// The next hit that is an event, walking straight over interfaces that change nothing.
 struct Arrival {

@@ -1,0 +1,163 @@
+#include "geometry/accel.h"
+
+#include <algorithm>
+
+#include "geometry/embree_search.h"
+#include "geometry/nearest.h"
+#include "geometry/primitive.h"
+
+namespace vitrail {
+
+namespace {
+
+constexpr std::uint64_t kLongestList = 32;
+constexpr double kUnit = 0x1p-53;  // the rounding of one operation
+
+/// The distance by which rounding may move a hit: a few operations on the coordinates it is computed from.
+double hit_error(const Ray& ray, double t, double coordinate_scale) {
+  return 16 * kUnit * (largest_coordinate(ray.origin) + t + coordinate_scale);
+}
+
+}  // namespace
+
+struct Intersector::State {
+  const Scene& scene;
+  std::vector<Primitive> primitives;  // by object
+  std::vector<std::uint32_t> list;    // objects that every ray asks: all in a small scene, else those without an end
+  std::unique_ptr<EmbreeSearch> tree;
+  Bounds bounds;
+  std::uint64_t primitive_count = 0;
+
+  void choose_search(Search search);
+  Nearest nearest(const Ray& ray, const Departures& departures) const;
+  Crossing crossing(const Ray& ray, const Nearest::Candidate& candidate, Vec3* point) const;
+};
+
+namespace {
+
+const Departure* departure_of(const Departures& departures, std::uint32_t object) {
+  for (const Departure& left : departures)
+    if (left.object == object) return &left;
+  return nullptr;
+}
+
+std::uint64_t part_count(const Primitive& primitive) {
+  const auto* mesh = std::get_if<Mesh>(&primitive);
+  return mesh == nullptr ? 1 : mesh->triangle_count();
+}
+
+}  // namespace
+
+void Intersector::State::choose_search(Search search) {
+  // Ask few primitives one after the other; put many into a tree, except those without an end and those so large
+  // against the typical one that their boxes would hold everything.
+  const bool all_listed = search == Search::list || (search == Search::automatic && primitive_count <= kLongestList);
+  std::vector<double> sizes;
+  for (const Primitive& primitive : primitives)
+    if (const Bounds box = vitrail::bounds(primitive); box.is_finite())
+      sizes.push_back(largest_coordinate(box.max - box.min));
+  std::nth_element(sizes.begin(), sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2), sizes.end());
+  const double typical = sizes.empty() ? 0 : sizes[sizes.size() / 2];
+
+  std::vector<TreeItem> items;
+  std::uint64_t large = 0;
+  for (std::uint32_t object = 0; object < primitives.size(); ++object) {
+    const Bounds box = vitrail::bounds(primitives[object]);
+    const bool is_large = box.is_finite() && largest_coordinate(box.max - box.min) > 1024 * typical && ++large <= 16;
+    const auto* mesh = std::get_if<Mesh>(&primitives[object]);
+    if (all_listed || !box.is_finite() || (is_large && mesh == nullptr)) {
+      list.push_back(object);
+    } else if (mesh == nullptr) {
+      items.push_back({object, TreeItem::kWhole});
+    } else {
+      for (std::uint32_t triangle = 0; triangle < mesh->triangle_count(); ++triangle)
+        items.push_back({object, triangle});
+    }
+  }
+  if (!items.empty()) tree = std::make_unique<EmbreeSearch>(primitives, std::move(items));
+}
+
+Nearest Intersector::State::nearest(const Ray& ray, const Departures& departures) const {
+  Nearest found(ray);
+  for (const std::uint32_t object : list) {
+    ShapeHit hit;
+    if (intersect(primitives[object], ray, departure_of(departures, object), hit)) found.offer(object, hit);
+  }
+  if (tree) tree->closest(ray, departures, found);
+  return found;
+}
+
+Crossing Intersector::State::crossing(const Ray& ray, const Nearest::Candidate& candidate, Vec3* point) const {
+  const Primitive& primitive = primitives[candidate.object];
+  const SurfacePoint at = surface(primitive, ray.at(candidate.t), candidate.face);
+  if (point != nullptr) *point = at.point;
+  Crossing crossing{candidate.t, candidate.object, candidate.face, candidate.entering, false, at.s,
+                    at.q,        at.normal,        at.normal};
+  if (const auto* mesh = std::get_if<Mesh>(&primitive)) {
+    crossing.counted = true;
+    crossing.shading_normal = mesh->shading_normal(at.point, candidate.face);
+  }
+  return crossing;
+}
+
+Intersector::Intersector(const Scene& scene, Search search) : state_(new State{scene, {}, {}, {}, {}, 0}) {
+  for (const Object& object : scene.objects) {
+    state_->primitives.push_back(make_primitive(object.shape));
+    state_->primitive_count += part_count(state_->primitives.back());
+    const Bounds box = vitrail::bounds(state_->primitives.back());
+    if (box.is_finite()) state_->bounds.add(box);
+  }
+  state_->choose_search(search);
+}
+
+Intersector::~Intersector() = default;
+Intersector::Intersector(Intersector&&) noexcept = default;
+Intersector& Intersector::operator=(Intersector&&) noexcept = default;
+
+bool Intersector::closest(const Ray& ray, const Departures& departures, Hit& hit) const {
+  const Nearest found = state_->nearest(ray, departures);
+  if (found.empty()) return false;
+  const Nearest::Candidate& first = found.first();
+  hit.t = first.t;
+  hit.crossings.clear();
+  hit.crossings.push_back(state_->crossing(ray, first, &hit.point));
+
+  // Add the faces that lie on this one within rounding: the gap along the ray, seen along the normal.
+  const double slant = std::abs(dot(ray.direction, hit.crossings[0].normal));
+  const auto error = [&](const Nearest::Candidate& c) {
+    return hit_error(ray, c.t, coordinate_scale(state_->primitives[c.object]));
+  };
+  for (int i = 1; i < found.all().size(); ++i) {
+    const Nearest::Candidate& other = found.all()[i];
+    if ((other.t - first.t) * slant <= error(first) + error(other))
+      hit.crossings.push_back(state_->crossing(ray, other, nullptr));
+  }
+  std::sort(hit.crossings.begin(), hit.crossings.end(),
+            [](const Crossing& a, const Crossing& b) { return a.object < b.object; });
+  return true;
+}
+
+bool Intersector::occluded(const Ray& ray, const Departures& departures, double t_max) const {
+  // A light on a surface is not behind that surface: leave out what rounding cannot tell from the light itself.
+  const double before = t_max - hit_error(ray, t_max, 0);
+  const double limit = t_max < kInfinity ? before : t_max;
+  for (const std::uint32_t object : state_->list) {
+    ShapeHit hit;
+    if (intersect(state_->primitives[object], ray, departure_of(departures, object), hit) && hit.t < limit) return true;
+  }
+  return state_->tree != nullptr && state_->tree->occluded(ray, departures, limit);
+}
+
+MediumSet Intersector::media_at(Vec3 point) const {
+  MediumSet media;
+  for (std::uint32_t object = 0; object < state_->primitives.size(); ++object)
+    if (state_->scene.material_of(object).transmits() && contains(state_->primitives[object], point))
+      media.enter(object);
+  return media;
+}
+
+Bounds Intersector::bounds() const { return state_->bounds; }
+Bounds Intersector::object_bounds(std::uint32_t object) const { return vitrail::bounds(state_->primitives[object]); }
+std::uint64_t Intersector::primitive_count() const { return state_->primitive_count; }
+
+}  // namespace vitrail

@@ -1,0 +1,38 @@
+#pragma once
+/// A solid or sheet of triangles, read from a PLY or OBJ file. Faces: the triangles.
+
+#include <array>
+#include <vector>
+
+#include "geometry/bounds.h"
+#include "geometry/span.h"
+#include "scene/scene.h"
+
+namespace vitrail {
+
+class Mesh {
+ public:
+  /// Read and place the file; throws InputError if it cannot be used.
+  explicit Mesh(const MeshShape& shape);
+
+  /// Ask every triangle; for meshes of a few.
+  bool intersect(const Ray& ray, const Departure* left, ShapeHit& hit) const;
+  bool intersect_triangle(std::uint32_t triangle, const Ray& ray, const Departure* left, ShapeHit& hit) const;
+  Bounds triangle_bounds(std::uint32_t triangle) const;
+  std::uint32_t triangle_count() const { return static_cast<std::uint32_t>(triangles_.size()); }
+
+  SurfacePoint surface(Vec3 point, std::uint32_t face) const;
+  /// The interpolated normal of a smooth mesh, on the same side as the geometric one.
+  Vec3 shading_normal(Vec3 point, std::uint32_t face) const;
+  bool contains(Vec3 point) const;
+  Bounds bounds() const { return bounds_; }
+  double coordinate_scale() const { return scale_; }
+
+ private:
+  std::vector<Vec3> vertices_, normals_;  // normals_ is empty for a flat mesh
+  std::vector<std::array<std::uint32_t, 3>> triangles_;
+  Bounds bounds_;
+  double scale_ = 0;
+};
+
+}  // namespace vitrail
