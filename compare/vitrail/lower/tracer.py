@@ -1,24 +1,25 @@
 """Back end for our tracer: the scene as plain JSON, everything resolved, nothing left to look up.
 
-The result is what ``vitrail-tracer`` reads; ``tracer/README.md`` documents every key. The lowering follows the plan:
-what the plan does not require is taken out of the scene here (one band without dispersion, smooth faces without
-roughness, no absorption without absorbing glass), so that the tracer cannot spend time on it.
+The result is what ``vitrail-tracer`` reads; ``tracer/README.md`` documents every key. What the plan does not require is
+taken out of the scene first (one band without dispersion, smooth faces without roughness, no depth beyond the longest
+chain), so that the tracer cannot spend time on it.
 """
 
 from __future__ import annotations
 
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
 from vitrail.lower.tracer_lights import lowered_light
-from vitrail.lower.tracer_materials import Band, bands_of, lowered_material
+from vitrail.lower.tracer_materials import bands_of, lowered_material
 from vitrail.lower.tracer_shapes import lowered_shape
 from vitrail.plan.budget import Settings
 from vitrail.plan.plan import Plan
+from vitrail.plan.reduced import reduced
 from vitrail.plan.view import view_of
-from vitrail.scene.hash import scene_hash
 from vitrail.scene.model import Ambient, Object, Scene
-from vitrail.scene.phenomenon import Phenomenon
+from vitrail.scene.print import scene_hash
 
 Json = dict[str, Any]
 
@@ -35,7 +36,7 @@ def lower_tracer(
 
     All lengths are metres, all directions of unit length, colours linear Rec. 709; ``canonical_json`` prints it.
     """
-    bands = bands_of(scene, plan, wavelength_nm)
+    kept, bands = reduced(scene, plan), bands_of(scene, plan, wavelength_nm)
     used = [name for name in scene.materials if any(item.material == name for item in scene.objects)]
     return {
         "vitrail_lowered": 1,
@@ -43,11 +44,11 @@ def lower_tracer(
         "scene_hash": scene_hash(scene),
         "image": {"width": scene.image.width, "height": scene.image.height},
         "camera": _camera(scene),
-        "bands": [_band(band) for band in bands],
-        "materials": [lowered_material(name, scene, plan, bands) for name in used],
+        "bands": [asdict(band) for band in bands],
+        "materials": [lowered_material(name, kept, bands) for name in used],
         "objects": [_object(item, used, folder) for item in scene.objects],
         "lights": [lowered_light(light, folder) for light in scene.lights],
-        "transport": _transport(scene, plan),
+        "transport": _transport(kept),
         "paper": scene.paper.model_dump(mode="json"),
         "plan": plan.flags(),
         "settings": _settings(settings),
@@ -67,10 +68,6 @@ def _camera(scene: Scene) -> Json:
     }
 
 
-def _band(band: Band) -> Json:
-    return {"name": band.name, "weight": band.weight, "wavelength_nm": band.wavelength_nm}
-
-
 def _object(item: Object, used: list[str], folder: Path | None) -> Json:
     return {
         "name": item.name,
@@ -80,14 +77,13 @@ def _object(item: Object, used: list[str], folder: Path | None) -> Json:
     }
 
 
-def _transport(scene: Scene, plan: Plan) -> Json:
-    """Depth limits never beyond the longest specular chain; indirect light only where the plan wants it."""
-    indirect = scene.transport.indirect
-    lowered: Any = {"ambient": indirect.ambient} if isinstance(indirect, Ambient) else indirect
+def _transport(kept: Scene) -> Json:
+    """Depth limits are never beyond the longest specular chain of the plan."""
+    indirect = kept.transport.indirect
     return {
-        "indirect": lowered if plan.requires(Phenomenon.INDIRECT_LIGHT) else "none",
-        "max_reflections": plan.chain.reflections,
-        "max_transmissions": plan.chain.transmissions,
+        "indirect": {"ambient": indirect.ambient} if isinstance(indirect, Ambient) else indirect,
+        "max_reflections": kept.transport.max_reflections,
+        "max_transmissions": kept.transport.max_transmissions,
     }
 
 

@@ -2,40 +2,32 @@
 
 from __future__ import annotations
 
-import math
-from dataclasses import dataclass
 from typing import Any, assert_never
 
+from vitrail.optics.bands import ALL_LIGHT, Band, band_model
+from vitrail.optics.dispersion import ior_by_band, reference_ior
 from vitrail.plan.plan import Plan
+from vitrail.scene.absorption import absorption_per_m
 from vitrail.scene.model import Checker, Ggx, Material, Scene
 from vitrail.scene.phenomenon import Phenomenon
 
 Json = dict[str, Any]
 Triplet = tuple[float, float, float]
-BLACK: Triplet = (0.0, 0.0, 0.0)
-
-
-@dataclass(frozen=True)
-class Band:
-    """A part of the light that keeps one index; the weights of all bands add up to white."""
-
-    name: str
-    weight: Triplet
-    wavelength_nm: float | None
-
-
-ALL_LIGHT = Band("all", (1.0, 1.0, 1.0), None)
 
 
 def bands_of(scene: Scene, plan: Plan, wavelength_nm: float | None = None) -> tuple[Band, ...]:
-    """One band unless the plan requires dispersion."""
-    return (ALL_LIGHT,)
+    """One band unless the plan requires dispersion; with ``wavelength_nm`` light of that wavelength alone."""
+    if wavelength_nm is not None:
+        return (Band(f"{wavelength_nm:g} nm", (1.0, 1.0, 1.0), wavelength_nm),)
+    if not plan.requires(Phenomenon.DISPERSION):
+        return (ALL_LIGHT,)
+    return band_model(scene.transport.bands).bands
 
 
-def lowered_material(name: str, scene: Scene, plan: Plan, bands: tuple[Band, ...]) -> Json:
-    """One material with what the plan does not require taken out."""
+def lowered_material(name: str, scene: Scene, bands: tuple[Band, ...]) -> Json:
+    """One material; ``camera_ior`` is the index of a ray that is not split into bands."""
     material = scene.materials[name]
-    indices = [material.ior if material.ior is not None else 1.0 for _ in bands]
+    indices = ior_by_band(material, bands, scene.paper)
     return {
         "name": name,
         "diffuse": _texture(material.diffuse),
@@ -43,22 +35,12 @@ def lowered_material(name: str, scene: Scene, plan: Plan, bands: tuple[Band, ...
         "transmission": material.transmission,
         "ior_by_band": indices,
         "ior_minus_one_by_band": [index - 1.0 for index in indices],
-        "camera_ior": indices[0],
+        "camera_ior": reference_ior(material),
         "fresnel": material.fresnel,
-        "absorption_per_m": absorption_per_m(material) if plan.requires(Phenomenon.ABSORPTION) else BLACK,
-        "emission": _texture(material.emission or BLACK),
-        "roughness": _roughness(material) if plan.requires(Phenomenon.ROUGHNESS) else {"kind": "none"},
+        "absorption_per_m": absorption_per_m(material),
+        "emission": _texture(material.emission or (0.0, 0.0, 0.0)),
+        "roughness": _roughness(material),
     }
-
-
-def absorption_per_m(material: Material) -> Triplet:
-    """Beer-Lambert coefficients, 1/m: the given ones, or -ln(color) / distance."""
-    if material.absorption_per_m is not None:
-        return material.absorption_per_m
-    if material.attenuation is None:
-        return BLACK
-    color, distance = material.attenuation.color, material.attenuation.distance
-    return (-math.log(color[0]) / distance, -math.log(color[1]) / distance, -math.log(color[2]) / distance)
 
 
 def _texture(texture: Triplet | Checker) -> Any:

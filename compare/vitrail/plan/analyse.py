@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from vitrail.plan.evidence import could_occur, requirement
+from vitrail.plan.evidence.requirement import requirement
 from vitrail.plan.facts import facts_of
 from vitrail.plan.plan import Chain, Plan, Requirement
+from vitrail.plan.possible import could_occur
 from vitrail.scene.model import Scene
 from vitrail.scene.phenomenon import Phenomenon
 
@@ -14,10 +15,13 @@ from vitrail.scene.phenomenon import Phenomenon
 def analyse(scene: Scene) -> Plan:
     """What the scene requires; for any scene that passed ``check``."""
     facts = facts_of(scene)
+    entries = {phenomenon: requirement(phenomenon, facts) for phenomenon in Phenomenon}
+    left_out = [warning for entry in entries.values() for warning in entry.left_out]
     return Plan(
-        entries={phenomenon: requirement(phenomenon, facts) for phenomenon in Phenomenon},
+        entries=entries,
         caustic_paths=facts.paths,
         chain=facts.chain,
+        warnings=(*left_out, *_observed_in_vain(scene, entries)),
     )
 
 
@@ -27,6 +31,17 @@ def everything(scene: Scene) -> Plan:
     Rendering it must give the same image as the plan of ``analyse``; it only takes longer.
     """
     limits = scene.transport
-    entries = {phenomenon: Requirement(*could_occur(phenomenon, scene), cost="") for phenomenon in Phenomenon}
+    reason = ("everything is on, as far as the scene's materials go",)
+    entries = {phenomenon: Requirement(could_occur(phenomenon, scene), reason, "") for phenomenon in Phenomenon}
     full = Chain(limits.max_reflections, limits.max_transmissions, False, "the limits of the scene")
-    return replace(analyse(scene), entries=entries, chain=full)
+    return replace(analyse(scene), entries=entries, chain=full, warnings=())
+
+
+def _observed_in_vain(scene: Scene, entries: dict[Phenomenon, Requirement]) -> list[str]:
+    """Observations of something that the scene cannot show."""
+    return [
+        f"`{observation.name}` observes {observation.phenomenon.value}, which the scene does not show:"
+        f" {entries[observation.phenomenon].evidence[0]}"
+        for observation in scene.observe
+        if not entries[observation.phenomenon].required
+    ]

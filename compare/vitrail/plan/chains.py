@@ -2,28 +2,34 @@
 
 from __future__ import annotations
 
-from vitrail.plan.bounds import bounds_of
-from vitrail.plan.light_paths import is_convex_or_flat
+from vitrail.plan.convexity import is_convex_or_flat
 from vitrail.plan.plan import Chain
-from vitrail.scene.model import Area, Material, Object, Scene, Sphere
+from vitrail.plan.stated_error import SHARE
+from vitrail.scene.model import Area, Material, Object, Plane, Scene, Sphere
+from vitrail.scene.placement import place
 from vitrail.scene.vector import length, subtract
 
 
 def longest_chain(scene: Scene) -> Chain:
     """The longest specular chain of a scene, never above what ``transport`` allows.
 
-    Three cases have a proof; every other keeps the limits of the scene, and says so.
+    A few cases have a proof; every other keeps the limits of the scene, and says so. The literal readings of the paper
+    bend light in ways that the proofs do not cover.
     """
-    limits = scene.transport
     specular = [item for item in scene.objects if scene.material_of(item).is_specular]
     if not specular:
-        return _chain(scene, 0, 0, "no specular object")
-    if len(specular) == 1 and _is_one_mirror(scene.material_of(specular[0]), specular[0]):
-        return _chain(scene, 1, 0, f"`{specular[0].name}` is the only mirror and never mirrors itself")
-    if len(specular) == 1 and _is_crossed_once(scene, specular[0]):
-        return _chain(scene, 0, 2, f"`{specular[0].name}` is a sphere without mirror share: in and out")
-    names = ", ".join(f"`{item.name}`" for item in specular)
-    return Chain(limits.max_reflections, limits.max_transmissions, False, f"no limit proven for {names}")
+        return _chain(scene, 0, 0, "nothing mirrors or refracts")
+    if scene.paper.refraction == "corrected":
+        if len(specular) == 1 and _mirrors_once(scene.material_of(specular[0]), specular[0]):
+            return _chain(scene, 1, 0, f"`{specular[0].name}` is the only mirror and never mirrors itself")
+        if len(specular) == 1 and _is_crossed_once(scene, specular[0]):
+            return _chain(scene, 0, 2, f"`{specular[0].name}` is a ball without mirror share: light gets in and out")
+        if all(_is_invisible(scene.material_of(item)) and is_convex_or_flat(item) for item in specular):
+            faces = sum(1 if isinstance(item.shape, Plane) else 2 for item in specular)
+            return _chain(scene, 0, faces, "all glass has index 1 and mirrors nothing: light goes straight on")
+    limits = scene.transport
+    names = ", ".join(f"`{item.name}`" for item in specular[:8]) + (" and more" if len(specular) > 8 else "")
+    return Chain(limits.max_reflections, limits.max_transmissions, False, f"no limit is proven for {names}")
 
 
 def _chain(scene: Scene, reflections: int, transmissions: int, reason: str) -> Chain:
@@ -31,25 +37,41 @@ def _chain(scene: Scene, reflections: int, transmissions: int, reason: str) -> C
     return Chain(min(reflections, limits.max_reflections), min(transmissions, limits.max_transmissions), True, reason)
 
 
-def _is_one_mirror(material: Material, item: Object) -> bool:
+def _mirrors_once(material: Material, item: Object) -> bool:
     """An opaque mirror that is convex or flat: a mirrored ray leaves it for good."""
     return not material.is_transmissive and is_convex_or_flat(item)
+
+
+def _is_invisible(material: Material) -> bool:
+    """Glass of index 1 without mirror share, dispersion or roughness: a ray passes as if it were not there."""
+    return (
+        material.is_transmissive
+        and material.ior == 1
+        and not material.is_dispersive
+        and max(material.reflection) == 0
+        and material.roughness == 0
+    )
 
 
 def _is_crossed_once(scene: Scene, item: Object) -> bool:
     """A smooth ball of glass without mirror share, entered from outside: what gets in leaves at the next face.
 
     A ray inside a ball meets every face at the angle at which it entered, so it is never totally reflected. That
-    needs n > 1, a smooth face, and the camera and all lamps outside.
+    needs an index above 1 for every colour, a smooth face that scatters nothing (scattered light starts inside), and
+    the camera and all lamps outside.
     """
-    material, shape = scene.material_of(item), item.shape
-    if not isinstance(shape, Sphere) or max(material.reflection) > 0 or material.fresnel or material.roughness != 0:
+    material, shape = scene.material_of(item), place(item).shape
+    if not isinstance(shape, Sphere) or not _passes_only(material):
         return False
-    if material.is_diffuse or (material.ior is not None and material.ior < 1) or material.dispersion is not None:
+    if any(isinstance(light.emitter, Area) for light in scene.lights):
         return False
-    ball = bounds_of(item)
-    inner = shape.radius * (1 + 1e-9)
-    emitters = [light.emitter for light in scene.lights]
-    points = [scene.camera.position] + [p for e in emitters if (p := getattr(e, "position", None)) is not None]
-    areas = any(isinstance(emitter, Area) for emitter in emitters)
-    return not areas and all(length(subtract(point, ball.centre)) > inner for point in points)
+    points = [scene.camera.position]
+    points += [p for light in scene.lights if (p := getattr(light.emitter, "position", None)) is not None]
+    return all(length(subtract(point, shape.center)) > shape.radius * (1 + 1e-9) for point in points)
+
+
+def _passes_only(material: Material) -> bool:
+    """Light that meets a face is transmitted or lost, at an index above 1."""
+    mirrors = max(material.reflection) >= SHARE or material.fresnel
+    bends_inward = material.ior is not None and material.ior > 1 and material.dispersion is None
+    return bends_inward and not mirrors and not material.is_diffuse and material.roughness == 0

@@ -8,22 +8,11 @@ specular object in view. What stands in between is ignored.
 from __future__ import annotations
 
 from vitrail.plan.bounds import bounds_of
+from vitrail.plan.convexity import is_convex_or_flat
 from vitrail.plan.light_reach import may_reach
 from vitrail.plan.plan import CausticPath
 from vitrail.plan.view import View, view_of
-from vitrail.scene.model import (
-    Box,
-    Cone,
-    Cylinder,
-    Disc,
-    Material,
-    Object,
-    Plane,
-    Prism,
-    Rectangle,
-    Scene,
-    Sphere,
-)
+from vitrail.scene.model import Material, Object, Plane, Scene
 from vitrail.scene.placement import place
 
 
@@ -87,18 +76,3 @@ def _lit_by_chains(scene: Scene, light_name: str) -> tuple[Object, ...]:
 def _may_see(view: View, item: Object) -> bool:
     shape = place(item).shape
     return view.may_see_plane(shape) if isinstance(shape, Plane) else view.may_see(bounds_of(item))
-
-
-def is_convex_or_flat(item: Object) -> bool:
-    return isinstance(item.shape, (Sphere, Plane, Rectangle, Disc, Box, Cylinder, Cone)) or _is_convex_prism(item.shape)
-
-
-def _is_convex_prism(shape: object) -> bool:
-    """All corners of a prism turn the same way."""
-    if not isinstance(shape, Prism):
-        return False
-    corners = shape.corners
-    turns = []
-    for a, b, c in zip(corners, corners[1:] + corners[:1], corners[2:] + corners[:2], strict=True):
-        turns.append((b[0] - a[0]) * (c[1] - b[1]) - (b[1] - a[1]) * (c[0] - b[0]))
-    return min(turns) >= 0

@@ -10,11 +10,15 @@ from vitrail.scene.phenomenon import Phenomenon
 
 @dataclass(frozen=True)
 class Requirement:
-    """One phenomenon: whether it must be modelled, why (or why not), and what it costs."""
+    """One phenomenon: whether it must be modelled, why (or why not), and what it costs.
+
+    ``left_out`` says what is present but stays below the stated error, with its size.
+    """
 
     required: bool
     evidence: tuple[str, ...]
     cost: str
+    left_out: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -65,6 +65,11 @@ class View:
         height = 2 * self.half_height / self.rows
         return height * max(self.depth_m(point), 0.0) if self.perspective else height
 
+    @property
+    def pixel_angle(self) -> float:
+        """Angle of a pixel in the middle of a perspective picture, radians."""
+        return 2 * self.half_height / self.rows
+
     def depth_m(self, point: Vec) -> float:
         return dot(subtract(point, self.position), self.forward)
 
@@ -94,3 +99,14 @@ def view_of(camera: Camera, image: Image) -> View:
         half_height=half_height,
         rows=image.height,
     )
+
+
+def plane_hits(view: View, plane: Plane) -> list[Vec]:
+    """Where the four corner rays of the picture meet a plane, those that do."""
+    normal, hits = unit(plane.normal), []
+    for sx, sy in ((-1.0, -1.0), (-1.0, 1.0), (1.0, -1.0), (1.0, 1.0)):
+        origin, direction = view.corner_ray(sx, sy)
+        distance, approach = dot(normal, subtract(origin, plane.point)), dot(normal, direction)
+        if distance * approach < 0:
+            hits.append(subtract(origin, scale(direction, distance / approach)))
+    return hits
