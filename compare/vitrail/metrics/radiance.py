@@ -1,13 +1,19 @@
-"""The light of a patch as it is: mean radiance per channel, its ratio to a reference, and how even it is."""
+"""The light of a patch as it is: mean radiance per channel, and its ratio to a reference."""
 
 from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 
 from vitrail.images.patch import PatchSamples
-from vitrail.metrics.measurement import Context, Measurement, MetricError, per_channel
+from vitrail.metrics.measurement import CHANNELS, Context, Measurement, MetricError, per_channel
 
 RADIANCE = "W sr^-1 m^-2"
+
+DARK_SHARE = 1e-6
+"""A channel with less than this share of the brightest one is dark; it also bounds every ratio: 1e-6 to 1e6."""
 
 
 def patch_mean(samples: PatchSamples) -> np.ndarray:
@@ -18,14 +24,27 @@ def patch_mean(samples: PatchSamples) -> np.ndarray:
     return (samples.values * weight).sum(axis=(0, 1)) / weight.sum()
 
 
+def channel_ratios(
+    family: str, ours: np.ndarray, theirs: np.ndarray, settings: Mapping[str, Any], caveats: tuple[str, ...] = ()
+) -> list[Measurement]:
+    """``family.<channel>`` = ours / theirs, ideal 1; a channel that is dark in both images is left out.
+
+    Light that only one image has must not vanish in a division: the darker side counts as at least ``DARK_SHARE`` of
+    the brightest channel, so the ratio is then far from 1 and finite.
+    """
+    least = DARK_SHARE * max(float(ours.max()), float(theirs.max()), 0.0)
+    found = []
+    for channel, a, b in zip(CHANNELS, ours, theirs, strict=True):
+        if max(a, b) > least:
+            dark = ("one of the two has no light in this channel",) if min(a, b) <= least else ()
+            parts = {"candidate": float(a), "reference": float(b)}
+            value = float(max(a, least) / max(b, least)) if dark else float(a / b)
+            found.append(Measurement(f"{family}.{channel}", value, "1", 1.0, settings, parts, caveats + dark))
+    return found
+
+
 def mean_radiance(candidate: PatchSamples, reference: PatchSamples | None, context: Context) -> list[Measurement]:
     """Absolute: ``mean_radiance.<channel>`` of one image. Comparison: ``radiance_ratio.<channel>``, ideal 1."""
     if reference is None:
         return per_channel("mean_radiance", patch_mean(candidate), RADIANCE, None)
-    ours, theirs = patch_mean(candidate), patch_mean(reference)
-    lit = theirs > 0
-    # A channel without light has no ratio; say so by leaving it out, unless only the reference is dark.
-    if np.any(~lit & (ours > 0)):
-        raise MetricError("the reference patch is black where the candidate is not; compare mean_radiance instead")
-    both = per_channel("radiance_ratio", np.divide(ours, theirs, out=np.ones(3), where=lit), "1", 1.0)
-    return [m for m, is_lit in zip(both, lit, strict=True) if is_lit]
+    return channel_ratios("radiance_ratio", patch_mean(candidate), patch_mean(reference), {})

@@ -1,0 +1,180 @@
+"""Light that glass has gathered: how much of it, where, and how tightly.
+
+Never a bare maximum: the brightest pixel of a caustic grows with resolution without end.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from vitrail.images.patch import PatchSamples
+from vitrail.metrics.encircled import encircled, ring_weights, room_about
+from vitrail.metrics.measurement import Context, Measurement, MetricError, per_channel
+from vitrail.metrics.profile import Light, light_of, profile
+from vitrail.metrics.radiance import channel_ratios
+
+FLUX = "W sr^-1"
+
+
+def caustic_flux(candidate: PatchSamples, reference: PatchSamples | None, context: Context) -> list[Measurement]:
+    """Radiance summed over the patch. Absolute: ``caustic_flux.<channel>``, W/sr; comparison: ``flux_ratio.<channel>``.
+
+    A caustic that one image lost gives a ratio at the bound of ``channel_ratios``; one that both lack is a MetricError.
+    """
+    light, other = light_of(("caustic",), candidate, reference, context)
+    settings = {"light": light.source}
+    if reference is None or other is None:
+        flux = _flux(light, candidate)
+        return per_channel("caustic_flux", flux, FLUX, None, settings=settings, caveats=light.caveats)
+    ratios = channel_ratios("flux_ratio", _flux(light, candidate), _flux(other, reference), settings, light.caveats)
+    if not ratios:
+        raise MetricError("neither image has a caustic on the patch; correct the patch or the scene")
+    return ratios
+
+
+def caustic_centroid(candidate: PatchSamples, reference: PatchSamples | None, context: Context) -> list[Measurement]:
+    """Centre of flux, metres from the patch centre: ``centroid.u/.v``, or ``centroid_shift.u/.v`` with ideal 0.
+
+    Components and not the distance: a distance is above 0 by noise alone.
+    """
+    light, other = light_of(("caustic",), candidate, reference, context)
+    ours = centroid(light, candidate)
+    settings = {"light": light.source}
+    if reference is None or other is None:
+        return [
+            Measurement(f"centroid.{axis}", x, "m", None, settings, caveats=light.caveats)
+            for axis, x in zip("uv", ours, strict=True)
+        ]
+    theirs = centroid(other, reference)
+    parts = {"distance": float(np.hypot(ours[0] - theirs[0], ours[1] - theirs[1]))}
+    return [
+        Measurement(f"centroid_shift.{axis}", x - y, "m", 0.0, settings, parts, light.caveats)
+        for axis, x, y in zip("uv", ours, theirs, strict=True)
+    ]
+
+
+def caustic_radii(candidate: PatchSamples, reference: PatchSamples | None, context: Context) -> list[Measurement]:
+    """Radii that hold 50 % and 90 % of the flux on the largest circle about the centre: ``r50``, ``r90`` in metres,
+    or ``r50_ratio``, ``r90_ratio`` with ideal 1.
+
+    The centre is ``context.centre_m``, or else the centroid of the reference, for both images the same.
+    """
+    light, other = light_of(("caustic",), candidate, reference, context)
+    centre = _centre(light if other is None else other, candidate if reference is None else reference, context)
+    outer = room_about(candidate, centre)
+    settings = {"light": light.source, "centre_m": centre, "outer_radius_m": outer}
+    ours = encircled(light.values.mean(axis=-1), candidate, centre, outer)
+    found = []
+    for name, share in (("r50", 0.5), ("r90", 0.9)):
+        radius = ours.radius_of(share)
+        if reference is None or other is None:
+            found.append(Measurement(name, radius, "m", None, settings, caveats=light.caveats))
+            continue
+        truth = encircled(other.values.mean(axis=-1), reference, centre, outer).radius_of(share)
+        parts = {"candidate": radius, "reference": truth}
+        found.append(Measurement(f"{name}_ratio", radius / truth, "1", 1.0, settings, parts, light.caveats))
+    return found
+
+
+def caustic_rings(candidate: PatchSamples, reference: PatchSamples | None, context: Context) -> list[Measurement]:
+    """Mean radiance (mean of the channels) between the radii ``context.annulus_edges_m`` about the centre.
+
+    Absolute: ``annulus_mean.<k>``; comparison: ``annulus_ratio.<k>``, ideal 1. Nothing where no radii are asked for.
+    """
+    if len(context.annulus_edges_m) < 2:
+        return []
+    light, other = light_of(("caustic",), candidate, reference, context)
+    centre = _centre(light if other is None else other, candidate if reference is None else reference, context)
+    edges = tuple(context.annulus_edges_m)
+    settings = {"light": light.source, "centre_m": centre, "edges_m": edges}
+    ours = _ring_means(light, candidate, centre, edges)
+    if reference is None or other is None:
+        unit = "W sr^-1 m^-2"
+        return [
+            Measurement(f"annulus_mean.{k}", x, unit, None, settings, caveats=light.caveats) for k, x in enumerate(ours)
+        ]
+    theirs = _ring_means(other, reference, centre, edges)
+    return [
+        Measurement(f"annulus_ratio.{k}", x / y, "1", 1.0, settings, {"candidate": x, "reference": y}, light.caveats)
+        for k, (x, y) in enumerate(zip(ours, theirs, strict=True))
+        if y > 0
+    ]
+
+
+def caustic_area(candidate: PatchSamples, reference: PatchSamples | None, context: Context) -> list[Measurement]:
+    """Area brighter than a threshold: ``area`` in m^2, or ``area_ratio`` with ideal 1.
+
+    The threshold is ``context.threshold_radiance``; a comparison without one takes twice the reference's mean. Cells
+    count by how far they are above it (a ramp of +-10 %), so that one noisy cell does not jump from nothing to whole.
+    """
+    light, other = light_of(("caustic",), candidate, reference, context)
+    threshold = context.threshold_radiance
+    if threshold is None:
+        if other is None:
+            return []
+        threshold = 2 * float(other.values.mean())
+    if not threshold > 0:
+        raise MetricError("the threshold is not above 0; give threshold_radiance, or look why there is no caustic")
+    settings = {"light": light.source, "threshold": threshold, "ramp": 0.1}
+    ours = _area(light, candidate, threshold)
+    if reference is None or other is None:
+        return [Measurement("area", ours, "m^2", None, settings, caveats=light.caveats)]
+    theirs = _area(other, reference, threshold)
+    if not theirs > 0:
+        return []
+    parts = {"candidate": ours, "reference": theirs}
+    return [Measurement("area_ratio", ours / theirs, "1", 1.0, settings, parts, light.caveats)]
+
+
+def profile_correlation(candidate: PatchSamples, reference: PatchSamples | None, context: Context) -> list[Measurement]:
+    """Correlation of the two profiles (mean of channels) through the patch: ``profile_correlation.u/.v``, ideal 1.
+
+    Noise lowers it; the floor says by how much. It sees shape alone: not flux, not exposure.
+    """
+    if reference is None:
+        return []
+    light, other = light_of(("caustic",), candidate, reference, context)
+    assert other is not None
+    found = []
+    for axis in ("u", "v"):
+        ours = profile(light.values, candidate, axis)[1].mean(axis=-1)
+        theirs = profile(other.values, reference, axis)[1].mean(axis=-1)
+        spread = np.std(ours) * np.std(theirs)
+        if not spread > 0:
+            raise MetricError("a profile of the caustic is flat; there is no caustic to correlate")
+        value = float(np.mean((ours - ours.mean()) * (theirs - theirs.mean())) / spread)
+        settings = {"light": light.source}
+        found.append(Measurement(f"profile_correlation.{axis}", value, "1", 1.0, settings, caveats=light.caveats))
+    return found
+
+
+def centroid(light: Light, samples: PatchSamples) -> tuple[float, float]:
+    """(u, v) of the centre of flux, metres from the patch centre. Raises MetricError when there is no flux."""
+    grey = light.values.mean(axis=-1) * samples.coverage
+    total = grey.sum()
+    if not total > 0:
+        raise MetricError("no caustic flux on the patch; correct the patch, or look why the caustic is gone")
+    return float((grey.sum(axis=0) * samples.u_m).sum() / total), float((grey.sum(axis=1) * samples.v_m).sum() / total)
+
+
+def _flux(light: Light, samples: PatchSamples) -> np.ndarray:
+    return (light.values * samples.coverage[..., None]).sum(axis=(0, 1)) * samples.cell_area_m2
+
+
+def _centre(light: Light, samples: PatchSamples, context: Context) -> tuple[float, float]:
+    return context.centre_m if context.centre_m is not None else centroid(light, samples)
+
+
+def _ring_means(
+    light: Light, samples: PatchSamples, centre: tuple[float, float], edges: tuple[float, ...]
+) -> list[float]:
+    weights = ring_weights(samples, centre, edges)
+    area = np.asarray(weights.sum(axis=1)).ravel()
+    if not (area > 0).all():
+        raise MetricError(f"an annulus of {edges} holds no cell of the patch; choose radii on the patch")
+    return [float(x) for x in (weights @ light.values.mean(axis=-1).ravel()) / area]
+
+
+def _area(light: Light, samples: PatchSamples, threshold: float) -> float:
+    height = (light.values.mean(axis=-1) / threshold - 0.9) / 0.2
+    return float((np.clip(height, 0, 1) * samples.coverage).sum() * samples.cell_area_m2)

@@ -1,0 +1,85 @@
+"""Registration of patterns moved by a known part of a cell."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from tests.metrics.synthetic import patch_of, value_of
+from vitrail.metrics.displacement import displacement, edge_place
+from vitrail.metrics.measurement import Context, MetricError
+
+CELL = 2 / 64
+CONTEXT = Context()
+
+
+def checker(du=0.0, dv=0.0, gain=1.0, offset=0.0, size=0.25):
+    """Each cell the exact mean of the pattern over it: a checker is the product of two square waves of height 1."""
+    edges = np.linspace(-1, 1, 65)
+
+    def means(shift):
+        # The integral of the square wave is a triangle wave.
+        phase = ((edges - shift) / size) % 2
+        return np.diff(np.where(phase < 1, phase, 2 - phase)) * size / CELL
+
+    odd = (1 - means(dv)[:, None] * means(du)[None, :]) / 2
+    values = np.repeat((offset + gain * (0.1 + 0.8 * odd))[..., None], 3, axis=-1)
+    return replace(patch_of(lambda u, v: 0 * u * v), values=values)
+
+
+@pytest.mark.parametrize("cells", [0.0, 0.37, -0.37, 0.5, 2.63])
+def test_a_checker_moved_by_a_part_of_a_cell(cells):
+    found = displacement(checker(du=cells * CELL, dv=-cells * CELL / 2), checker(), CONTEXT)
+    # What is left of a sharp edge beyond the band limit, after the smoothing, moves the answer by a hundredth.
+    assert value_of(found, "displacement.u") / CELL == pytest.approx(cells, abs=0.01)
+    assert value_of(found, "displacement.v") / CELL == pytest.approx(-cells / 2, abs=0.01)
+
+
+@pytest.mark.parametrize("cells", [0.37, -1.21])
+def test_a_smooth_pattern_is_registered_to_a_thousandth(cells):
+    def waves(du):
+        return patch_of(lambda u, v: 2 + np.sin(9 * (u - du)) + np.cos(7 * v + 3 * (u - du)))
+
+    found = displacement(waves(cells * CELL), waves(0.0), CONTEXT)
+    assert value_of(found, "displacement.u") / CELL == pytest.approx(cells, abs=1e-3)
+    assert value_of(found, "displacement.v") / CELL == pytest.approx(0.0, abs=1e-3)
+
+
+def test_exposure_and_haze_are_not_seen():
+    for changed in (checker(gain=3.0), checker(gain=0.5, offset=0.4)):
+        for m in displacement(changed, checker(), CONTEXT):
+            assert m.value == pytest.approx(0.0, abs=1e-9)
+
+
+def test_stripes_have_one_direction_only():
+    stripes = patch_of(lambda u, v: (np.floor(u / 0.25) % 2) + 0 * v)
+    assert [m.metric for m in displacement(stripes, stripes, CONTEXT)] == ["displacement.u"]
+
+
+def test_a_blank_patch_is_an_error():
+    blank = patch_of(lambda u, v: 1 + 0 * u * v)
+    with pytest.raises(MetricError, match="no pattern"):
+        displacement(blank, blank, CONTEXT)
+
+
+@pytest.mark.parametrize("place", [0.0, 0.0123, -0.1])
+def test_the_place_of_one_edge(place):
+    edge = patch_of(lambda u, v: np.clip((u - place) / 1e-9, 0, 1) + 0 * v, n_u=64)
+    # The synthetic edge itself is quantised to an eighth of a cell.
+    found = edge_place(edge, None, CONTEXT)
+    assert value_of(found, "edge_place.u") == pytest.approx(place, abs=CELL / 16 * 1.01)
+
+
+def test_an_edge_between_cells_of_known_share_is_exact():
+    # Build the cells by hand: the one that the edge crosses holds 0.3 of the step, so the edge is at 0.7 of it.
+    edge = patch_of(lambda u, v: 1.0 * (u > 0) + 0 * v)
+    edge.values[:, 32] = 0.3
+    assert value_of(edge_place(edge, None, CONTEXT), "edge_place.u") == pytest.approx(0.7 * CELL, abs=1e-4 * CELL)
+
+
+def test_the_nearest_edge_of_a_pattern_is_taken():
+    found = edge_place(checker(du=0.05), None, Context())
+    # A checker's rows cancel in the mean over v: no edge, no number.
+    assert found == []
+    stripes = patch_of(lambda u, v: (np.floor((u - 0.0625) / 0.25) % 2) + 0 * v)
+    assert value_of(edge_place(stripes, None, CONTEXT), "edge_place.u") == pytest.approx(0.0625, abs=1e-4)
