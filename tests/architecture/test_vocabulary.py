@@ -27,17 +27,19 @@ def enumerations(node: Any) -> Iterator[list[Any]]:
             yield from enumerations(child)
 
 
-def test_the_tracer_lists_the_same_phenomena_in_the_same_order() -> None:
-    """The C++ list is the one array of string literals that begins with the first name."""
+def test_the_tracer_knows_the_same_phenomena_in_the_same_order() -> None:
+    """A list of string literals with three or more phenomena in it is about phenomena; one of them is complete."""
     lists = []
     for path in cpp_files():
         for block in re.findall(r"\{([^{}]*)\}", path.read_text(encoding="utf-8")):
             words = re.findall(r'"([a-z_]+)"', block)
-            if words[:1] == NAMES[:1] and len(words) > 2:
+            if len(set(words) & set(NAMES)) >= 3:
                 lists.append((path.relative_to(TRACER), words))
-    assert lists, "no list of phenomena found under tracer/"
     for path, words in lists:
-        assert words == NAMES, f"{path} lists other phenomena than compare/vitrail/scene/phenomenon.py"
+        assert words == [name for name in NAMES if name in words], (
+            f"{path} lists what is no phenomenon, or out of order"
+        )
+    assert NAMES in [words for _, words in lists], "no list under tracer/ has every phenomenon of scene/phenomenon.py"
 
 
 def test_the_schemas_list_the_same_phenomena() -> None:
