@@ -133,16 +133,13 @@ def _interpolate(places: Sequence[float], values: Sequence[float], wanted: Seque
 
 
 def _summing_to_one(weights: list[float]) -> list[float]:
-    """Scale weights so that adding them in order gives 1 to the last bit."""
+    """Scale weights to multiples of 2^-40 whose sum is 1, so that adding them in any order gives 1 to the last bit."""
     total = math.fsum(weights)
-    scaled = [weight / total for weight in weights]
+    grid = 2.0**40
+    scaled = [round(weight / total * grid) for weight in weights]
     largest = max(range(len(scaled)), key=lambda k: abs(scaled[k]))
-    for _ in range(64):
-        error = 1.0 - sum(reversed(scaled))
-        if error == 0:
-            break
-        scaled[largest] += error
-    return scaled
+    scaled[largest] += round(grid) - sum(scaled)
+    return [weight / grid for weight in scaled]
 
 
 # --- tables ---------------------------------------------------------------------------------------------------------

@@ -17,6 +17,8 @@ def check_solids(findings: Findings) -> None:
     for index, item in enumerate(scene.objects):
         if not scene.material_of(item).is_transmissive:
             continue
+        if index in findings.broken_objects:
+            continue
         if is_solid(item):
             glasses.append((index, item))
         else:

@@ -10,23 +10,31 @@ from typing import Any
 from pydantic import BaseModel, ValidationError
 
 from vitrail.scene.diagnostic import Diagnostic, nearest, suggestion
+from vitrail.scene.model import COLOUR_KEYS
 from vitrail.scene.yaml_tree import Path, Places
 
 
-def field_diagnostics(
-    error: ValidationError, data: Any, top: type[BaseModel], places: Places, file: str
-) -> list[Diagnostic]:
+def field_diagnostics(error: ValidationError, data: Any, top: type[BaseModel], places: Places, file: str) -> list[Diagnostic]:
     """One Diagnostic for each thing that is wrong; alternatives that the author did not mean are left out."""
     found: dict[tuple[int, int, str], Diagnostic] = {}
-    for each in error.errors(include_url=False):
-        walked = _walk(each["loc"], data)
-        if walked is None:
+    errors = [(each, *walked) for each in error.errors(include_url=False) if (walked := _walk(each["loc"], data))]
+    misspelt = _misspelt(errors, data, top)
+    for each, path, value in errors:
+        # A key without a value is reported where the file is read, a misspelt one where it is written.
+        absent = each["type"] in ("missing", "extra_forbidden")
+        incomplete = each["type"] == "value_error" and isinstance(value, dict) and None in value.values()
+        if value is None and not absent or incomplete or each["type"] == "missing" and path in misspelt:
             continue
-        path, value = walked
         what, remedy, at_key = _explain(each, path, value, data, top)
         line, col = places.of_key(*path) if at_key else places.of(*path)
         found.setdefault((line, col, what), Diagnostic(file, line, col, what, remedy))
     return list(found.values())
+
+
+def _misspelt(errors: list[tuple[Any, Path, Any]], data: Any, top: type[BaseModel]) -> set[Path]:
+    """The paths that unknown keys were probably meant for."""
+    unknown = [path for each, path, _ in errors if each["type"] == "extra_forbidden"]
+    return {(*path[:-1], nearest(str(path[-1]), known_keys(path[:-1], data, top)) or "") for path in unknown}
 
 
 def _walk(loc: tuple[int | str, ...], data: Any) -> tuple[Path, Any] | None:
@@ -76,7 +84,9 @@ def _explain(error: Any, path: Path, value: Any, data: Any, top: type[BaseModel]
         known = known_keys(path[:-1], data, top)
         return f"unknown key `{path[-1]}`{_inside(path)}", suggestion(str(path[-1]), known, "key"), True
     if kind == "missing" and path and isinstance(path[-1], str) and not isinstance(value, list):
-        return f"`{path[-1]}` is missing{_inside(path)}", f"add `{path[-1]}: {_example(path, data, top)}`", True
+        example = _example(path, data, top)
+        written = example if example[0] in "{[" or example.isdigit() else f"<{example}>"
+        return f"`{path[-1]}` is missing{_inside(path)}", f"add `{path[-1]}: {written}`", True
     if kind in ("greater_than", "greater_than_equal", "less_than", "less_than_equal"):
         word, limit = _LIMITS[kind], next(iter(context.values()))
         return f"{name} is {_shown(value)} and must be {word} {limit:g}", f"give a number {word} {limit:g}", False
@@ -109,13 +119,15 @@ def _explain_type(
     kind: str, name: str, value: Any, path: Path, data: Any, top: type[BaseModel]
 ) -> tuple[str, str, bool]:
     """A value of another kind than the field takes."""
-    if value is None:
-        return f"{name} has no value", f"write `{name.strip('`')}: {_example(path, data, top)}`", True
     wanted = _WANTED.get(kind)
+    if kind == "tuple_type" and path and path[-1] in COLOUR_KEYS:
+        return f"{name} must be a colour, found {_shown(value)}", "write a number, or [red, green, blue]", False
     if isinstance(value, list) and kind in ("missing", "too_long", "too_short"):
         return f"{name} has {len(value)} entries", f"give {_example(path, data, top)}", False
-    if wanted is None or kind in ("tuple_type", "float_type") and not path:
+    if wanted is None:
         wanted = "something else"
+    if kind == "tuple_type" and name in ("`objects`", "`lights`", "`observe`"):
+        wanted = "a list, each entry after a dash"
     return f"{name} must be {wanted}, found {_shown(value)}", f"write {_example(path, data, top)}", False
 
 
@@ -129,7 +141,7 @@ _WANTED = {
     "bool_type": "true or false",
     "bool_parsing": "true or false",
     "string_type": "text",
-    "tuple_type": "a list",
+    "tuple_type": "a list of numbers",
     "dict_type": "a mapping `name: {...}`",
     "model_type": "a mapping `{key: value, ...}`",
     "model_attributes_type": "a mapping `{key: value, ...}`",
@@ -236,17 +248,17 @@ def _example(path: Path, data: Any, top: type[BaseModel]) -> str:
         return _EXAMPLES[name]
     leaves = [leaf for model in _models_at(_holder(path), top) for leaf in _field_leaves(model, name)]
     if any(typing.get_origin(leaf) is tuple for leaf in leaves) and isinstance(path[-1], str):
-        return _EXAMPLES.get(name, "three numbers, as in [1, 0.5, 0]")
+        return "three numbers, as in [1, 0.5, 0]"
     if bool in leaves:
         return "true"
     if int in leaves:
-        return "a whole number"
+        return "a whole number, as in 64"
     if str in leaves:
         return "a name"
     if any(isinstance(leaf, type) and issubclass(leaf, BaseModel) for leaf in leaves):
         keys = known_keys(path, data, top)
         return "{" + ", ".join(f"{key}: ..." for key in keys[:4]) + "}"
-    return "a number"
+    return "a number, as in 0.5"
 
 
 def _holder(path: Path) -> Path:

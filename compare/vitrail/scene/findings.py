@@ -15,12 +15,20 @@ class Findings:
 
     loaded: Loaded
     diagnostics: list[Diagnostic] = field(default_factory=list)
+    _broken: set[int] = field(default_factory=set)
 
     @property
     def scene(self) -> Scene:
         return self.loaded.scene
 
+    @property
+    def broken_objects(self) -> set[int]:
+        """Indices of the objects that have an error already, and whose geometry means nothing."""
+        return self._broken
+
     def error(self, what: str, remedy: str, *path: str | int) -> None:
+        if path[0] == "objects" and len(path) > 1 and isinstance(path[1], int):
+            self._broken.add(path[1])
         self._add(Severity.ERROR, what, remedy, path)
 
     def warning(self, what: str, remedy: str, *path: str | int) -> None:

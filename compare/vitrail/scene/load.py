@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -46,10 +47,14 @@ def load_text(text: str, name: str | Path = "scene.yaml") -> Loaded:
         what = f"a scene is a mapping of keys, this file is {_kind(data)}"
         raise SceneErrors([*found, Diagnostic(file, 1, 1, what, "start with `vitrail: 1`")])
     found += name_diagnostics(data, places, file)
+    found += [_without_value(path, places, file) for path in _voids(data, ())]
     try:
         scene = Scene.model_validate(data)
     except ValidationError as error:
-        raise SceneErrors([*found, *field_diagnostics(error, data, Scene, places, file)]) from None
+        # A value that could not be read at all has been reported; what its stand-in causes is no news.
+        known = {(each.line, each.col) for each in found}
+        fields = field_diagnostics(error, data, Scene, places, file)
+        raise SceneErrors([*found, *(each for each in fields if (each.line, each.col) not in known)]) from None
     if found:
         raise SceneErrors(found)
     return Loaded(scene, places, Path(name))
@@ -94,6 +99,24 @@ def _line_col(before: str) -> tuple[int, int]:
 
 def _diagnostic(problem: YamlProblem, file: str) -> Diagnostic:
     return Diagnostic(file, problem.line, problem.col, problem.what, problem.remedy)
+
+
+def _voids(value: Any, path: tuple[str | int, ...]) -> Iterator[tuple[str | int, ...]]:
+    """The path of every key or entry that was given no value."""
+    if value is None:
+        yield path
+    elif isinstance(value, dict):
+        for key, inner in value.items():
+            yield from _voids(inner, (*path, key))
+    elif isinstance(value, list):
+        for index, inner in enumerate(value):
+            yield from _voids(inner, (*path, index))
+
+
+def _without_value(path: tuple[str | int, ...], places: Places, file: str) -> Diagnostic:
+    name = f"`{path[-1]}`" if isinstance(path[-1], str) else "this entry"
+    remedy = "put a space after its colon" if ":" in name else "give it one, or remove it"
+    return Diagnostic(file, *places.of_key(*path), f"{name} has no value", remedy)
 
 
 def _kind(data: Any) -> str:

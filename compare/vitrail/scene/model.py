@@ -33,13 +33,18 @@ def _triplet(value: Any) -> Any:
     return value
 
 
+def _spread(channel: Any) -> BeforeValidator:
+    """Accept one number for three channels; the schema shows both forms."""
+    return BeforeValidator(_triplet, json_schema_input_type=channel | tuple[channel, channel, channel])
+
+
 Finite = Annotated[float, Field(allow_inf_nan=False, strict=True)]
 Positive = Annotated[float, Field(gt=0, allow_inf_nan=False, strict=True)]
 NotNegative = Annotated[float, Field(ge=0, allow_inf_nan=False, strict=True)]
 Vector = tuple[Finite, Finite, Finite]
-Colour = Annotated[tuple[NotNegative, NotNegative, NotNegative], BeforeValidator(_triplet)]
+Colour = Annotated[tuple[NotNegative, NotNegative, NotNegative], _spread(NotNegative)]
 Fraction = Annotated[float, Field(ge=0, le=1, allow_inf_nan=False, strict=True)]
-Share = Annotated[tuple[Fraction, Fraction, Fraction], BeforeValidator(_triplet)]
+Share = Annotated[tuple[Fraction, Fraction, Fraction], _spread(Fraction)]
 
 
 class CheckerSquares(Part):
@@ -56,6 +61,19 @@ class Checker(Part):
 
 
 Texture = Colour | Checker
+COLOUR_KEYS = (
+    "diffuse",
+    "reflection",
+    "transmission",
+    "emission",
+    "color",
+    "absorption_per_m",
+    "irradiance",
+    "intensity",
+    "radiance",
+    "ambient",
+)
+"""The keys whose value is a colour: one number, or three for red, green and blue."""
 
 
 Glass = Literal[
@@ -99,7 +117,7 @@ _Remaining = Annotated[float, Field(gt=0, le=1, strict=True)]
 class Attenuation(Part):
     """White light has ``color`` left after ``distance`` metres inside (as in KHR_materials_volume)."""
 
-    color: Annotated[tuple[_Remaining, _Remaining, _Remaining], BeforeValidator(_triplet)]
+    color: Annotated[tuple[_Remaining, _Remaining, _Remaining], _spread(_Remaining)]
     distance: Positive
 
 
@@ -109,7 +127,7 @@ class Material(Part):
     ``diffuse + reflection + transmission`` is the light use ``lu`` [S eq. 6]; it may not exceed 1 in any channel.
     """
 
-    diffuse: Annotated[tuple[Fraction, Fraction, Fraction], BeforeValidator(_triplet)] | Checker = (0.0, 0.0, 0.0)
+    diffuse: Share | Checker = (0.0, 0.0, 0.0)
     reflection: Share = (0.0, 0.0, 0.0)
     transmission: Share = (0.0, 0.0, 0.0)
     ior: Positive | None = None
@@ -291,9 +309,9 @@ class Prism(Part):
     def _has_a_cross_section(self) -> Prism:
         by_apex = self.apex_deg is not None and self.side is not None
         if (self.profile is not None) == by_apex or (self.apex_deg is None) != (self.side is None):
-            raise ValueError("a prism takes either `profile` (corners [x, y]) or both `apex_deg` and `side`")
+            raise ValueError("a prism needs its cross-section once; give either `profile` (corners [x, y]) or both `apex_deg` and `side`")
         if self.profile is not None and len(self.profile) < 3:
-            raise ValueError("a profile needs at least three corners")
+            raise ValueError("a profile needs at least three corners; add some")
         return self
 
     @property

@@ -125,13 +125,12 @@ def _corners(placed: Placed) -> np.ndarray:
 def _searched_depth(a: Object, b: Object, first: Placed, second: Placed) -> float:
     """The largest depth inside both that a search finds: random points, then ever smaller steps from the best."""
     rough = _ball_around(first), _ball_around(second)
-    if any(ball is None for ball in rough) and not any(isinstance(each.shape, Plane) for each in (first, second)):
+    finite = [ball for ball in rough if ball is not None]
+    if not finite or any(isinstance(each.shape, Mesh) for each in (first, second)):
         return -np.inf
-    center, radius = min((ball for ball in rough if ball is not None), key=lambda ball: ball[1])
-    if all(ball is not None for ball in rough):
-        (one, r_one), (two, r_two) = rough  # type: ignore[misc]
-        if np.linalg.norm(one - two) > r_one + r_two:
-            return -np.inf
+    if len(finite) == 2 and np.linalg.norm(finite[0][0] - finite[1][0]) > finite[0][1] + finite[1][1]:
+        return -np.inf
+    center, radius = min(finite, key=lambda ball: ball[1])
     random = np.random.default_rng(0)
     points = center + radius * random.uniform(-1, 1, (_STARTS, 3))
 

@@ -25,7 +25,7 @@ from ruamel.yaml.events import (
 
 MAX_BYTES = 4 * 1024 * 1024
 MAX_DEPTH = 32
-MAX_NODES = 200_000
+MAX_NODES = 50_000
 MAX_DIGITS = 400
 
 Path = tuple[str | int, ...]
@@ -188,6 +188,9 @@ class _Composer:
     def _scalar(self, event: ScalarEvent) -> Any:
         """The value of a scalar by the YAML 1.2 core schema; quoted text stays text."""
         text = event.value
+        if any("\ud800" <= character <= "\udfff" for character in text):
+            self.problems.append(YamlProblem(*_place(event), "half of a character pair is no text", "write it whole"))
+            return ""
         if event.style is not None:
             return text
         if text in _NULLS:
