@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 import sys
 from collections.abc import Callable, Iterator, Mapping
 from importlib import import_module
@@ -108,9 +109,10 @@ def vitrail(
 
 
 def main() -> None:
-    """Run the program; Ctrl-C ends it with 130, as shells expect."""
-    from vitrail.commands.exit_code import INTERRUPTED
+    """Run the program; Ctrl-C ends it with 130, as shells expect, and SIGTERM with 143, its engines with it."""
+    from vitrail.commands.exit_code import INTERRUPTED, TERMINATED
 
+    signal.signal(signal.SIGTERM, lambda number, frame: sys.exit(TERMINATED))
     try:
         app()
     except KeyboardInterrupt:

@@ -51,6 +51,8 @@ def emitted(engine: EngineName, path: Path, quality: str, assignments: list[str]
         case EngineName.POVRAY:
             from vitrail.lower.povray import lower_povray
 
-            return lower_povray(loaded.scene, found, chosen).files()
+            translated = lower_povray(loaded.scene, found, chosen, loaded)
+            certificate = canonical_json(translated.certificate.as_records())
+            return {**{f"{run.name}.pov": run.sdl for run in translated.runs}, "certificate.json": certificate}
         case _:
             assert_never(engine)

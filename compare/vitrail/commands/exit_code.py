@@ -8,7 +8,7 @@ from contextlib import contextmanager
 import typer
 
 AGREES, DEVIATES, SCENE_ERROR, NOT_TRANSLATABLE, ENGINE_FAILED, INCONCLUSIVE = range(6)
-INTERRUPTED = 130
+INTERRUPTED, TERMINATED = 130, 143
 
 
 @contextmanager
@@ -33,9 +33,11 @@ def exit_codes() -> Iterator[None]:
         _say(["interrupted"])
         raise typer.Exit(INTERRUPTED) from None
     except Exception as error:
-        if type(error).__name__ != "NotTranslatable":
+        from vitrail.lower.povray import NotTranslatable
+
+        if not isinstance(error, NotTranslatable):
             raise
-        _say(str(diagnostic) for diagnostic in error.diagnostics)  # type: ignore[attr-defined]
+        _say(str(diagnostic) for diagnostic in error.diagnostics)
         raise typer.Exit(NOT_TRANSLATABLE) from None
 
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import typer
 
 from vitrail.commands.exit_code import exit_codes
-from vitrail.commands.output import print_json
+from vitrail.commands.output import print_json, wide_console
 
 if TYPE_CHECKING:
     from vitrail.plan.budget import Settings
@@ -28,6 +28,8 @@ def plan(
         loaded = read_scene(scene)
         found = analyse(loaded.scene)
         settings = settings_for(loaded.scene, found)
+    for warning in found.warnings:
+        typer.echo(f"warning: {warning}", err=True)
     if as_json:
         print_json(_plain(found, settings))
     else:
@@ -45,28 +47,32 @@ def _plain(found: Plan, settings: Settings) -> dict[str, Any]:
 
 
 def _print_table(title: str, found: Plan, settings: Settings) -> None:
-    """One row a phenomenon; then the chain, the settings that follow, and what was left out."""
-    from rich.console import Console
+    """What is required, with evidence and cost; what is not, and why; the chain and the settings that follow."""
     from rich.markup import escape
     from rich.table import Table
 
-    console = Console()
-    table = Table(title=escape(title), title_justify="left", show_lines=True)
-    table.add_column("phenomenon")
-    table.add_column("required")
-    table.add_column("evidence", overflow="fold")
-    table.add_column("cost", overflow="fold")
+    required = Table(title=escape(title), title_justify="left", show_lines=True)
+    for column in ("required", "evidence", "cost"):
+        required.add_column(column, overflow="fold")
+    spared = Table(show_header=True)
+    for column in ("not required", "because"):
+        spared.add_column(column, overflow="fold")
     for phenomenon, entry in found.entries.items():
-        answer = "[bold]yes[/]" if entry.required else "[dim]no[/]"
-        table.add_row(phenomenon.value, answer, escape("\n".join(entry.evidence)), escape(entry.cost))
-    console.print(table)
+        reasons = escape("\n".join(entry.evidence))
+        if entry.required:
+            required.add_row(phenomenon.value, reasons, escape(entry.cost))
+        else:
+            spared.add_row(phenomenon.value, reasons)
+    console = wide_console()
+    console.print(required)
+    console.print(spared)
+    console.print(_summary(found, settings), markup=False, highlight=False)
+
+
+def _summary(found: Plan, settings: Settings) -> str:
     chain = found.chain
-    console.print(
-        f"longest chain: {chain.reflections} reflections, {chain.transmissions} transmissions ({escape(chain.reason)})"
-    )
-    console.print(
+    return (
+        f"longest chain: {chain.reflections} reflections, {chain.transmissions} transmissions ({chain.reason})\n"
         f"at normal quality: {settings.samples} samples a pixel, {settings.photons} photons,"
         f" gather radius {settings.gather_radius_m:g} m"
     )
-    for warning in found.warnings:
-        typer.echo(f"warning: {warning}", err=True)

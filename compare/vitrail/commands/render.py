@@ -72,11 +72,11 @@ def _rendered(engine: EngineName, loaded: Loaded, plan: Plan, settings: Settings
                 lowered = lower_tracer(loaded.scene, plan, settings, loaded.path.parent.resolve())
                 made = Tracer().render(lowered, Path(work), threads=threads, progress=show)
             case EngineName.POVRAY:
-                from vitrail.engines.povray import PovRay
+                from vitrail.engines.povray import Povray
                 from vitrail.lower.povray import lower_povray
 
-                translated = lower_povray(loaded.scene, plan, settings)
-                made = PovRay().render(translated, Path(work), threads=threads, progress=show)
+                translated = lower_povray(loaded.scene, plan, settings, loaded)
+                made = Povray().render(translated, Path(work), threads=threads, progress=show)
             case _:
                 assert_never(engine)
         record = Path(work) / "record.json"

@@ -9,7 +9,7 @@ from typing import Any
 import typer
 
 from vitrail.commands.exit_code import exit_codes, usage_error
-from vitrail.commands.output import print_json
+from vitrail.commands.output import print_json, wide_console
 
 
 class Branch(StrEnum):
@@ -78,7 +78,6 @@ def _words(vector: tuple[float, float, float]) -> str:
 
 
 def _print_vertices(vertices: list[dict[str, Any]]) -> None:
-    from rich.console import Console
     from rich.table import Table
 
     table = Table()
@@ -87,7 +86,7 @@ def _print_vertices(vertices: list[dict[str, Any]]) -> None:
         table.add_column(column, overflow="fold")
     for vertex in vertices:
         table.add_row(*(_cell(vertex.get(column)) for column in columns))
-    Console().print(table)
+    wide_console().print(table)
 
 
 def _cell(value: Any) -> str:

@@ -9,6 +9,7 @@ import selectors
 import signal
 import subprocess
 import tempfile
+import threading
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -19,6 +20,9 @@ KEPT_LINES = 200
 """How many of the last lines that a program said are kept for a message."""
 
 GIBIBYTE = 1 << 30
+
+GLANCE_S = 0.1
+"""How often the clock is looked at while a program says nothing."""
 
 
 @dataclass(frozen=True)
@@ -52,13 +56,18 @@ class Finished:
 
 
 def run_child(
-    command: Sequence[str | Path], *, limits: Limits = Limits(), on_line: Callable[[str], bool] | None = None
+    command: Sequence[str | Path],
+    *,
+    limits: Limits = Limits(),
+    on_line: Callable[[str], bool] | None = None,
+    stop: threading.Event | None = None,
 ) -> Finished:
     """Run a program to its end.
 
     ``on_line`` is given every line of its stderr and answers whether it has used it up; the others are kept. Ctrl-C is
-    passed on to the program once, so that it may write what is finished, and ends it the second time. Nothing of the
-    program survives this function. Raises OSError when it cannot be started.
+    passed on to the program once, so that it may write what is finished, and ends it the second time. Python hears it
+    in its main thread only; a program that is run from another is ended by setting ``stop``. Nothing of the program
+    survives this function. Raises OSError when it cannot be started.
     """
     started = time.monotonic()
     with tempfile.TemporaryFile() as stdout:
@@ -69,7 +78,7 @@ def run_child(
             stderr=subprocess.PIPE,
             start_new_session=True,
         )
-        listener = _Listener(process, started, limits, on_line)
+        listener = _Listener(process, started, limits, on_line, stop)
         try:
             _limit(process.pid, limits)
             listener.listen()
@@ -101,8 +110,9 @@ class _Listener:
         started: float,
         limits: Limits,
         on_line: Callable[[str], bool] | None,
+        stop: threading.Event | None,
     ) -> None:
-        self.process, self.started, self.limits, self.on_line = process, started, limits, on_line
+        self.process, self.started, self.limits, self.on_line, self.stop = process, started, limits, on_line, stop
         self.kept: list[str] = []
         self.interrupted = self.timed_out = False
         self.rest = b""
@@ -122,8 +132,7 @@ class _Listener:
     def wait(self) -> None:
         """Wait for the end of a program that has closed its stderr, without collecting it."""
         while os.waitid(os.P_PID, self.process.pid, os.WEXITED | os.WNOWAIT | os.WNOHANG) is None:
-            if self._left_s() == 0:
-                self._time_out()
+            self._mind_the_limits()
             try:
                 time.sleep(0.005)
             except KeyboardInterrupt:
@@ -131,11 +140,8 @@ class _Listener:
 
     def _read(self, stream: IO[bytes], selector: selectors.BaseSelector) -> bool:
         """One piece of output; False at its end, or when the time is up."""
-        left_s = self._left_s()
-        if left_s == 0:
-            self._time_out()
-            return False
-        if not selector.select(left_s):
+        self._mind_the_limits()
+        if not selector.select(GLANCE_S):
             return True
         piece = os.read(stream.fileno(), 1 << 16)
         *lines, self.rest = (self.rest + piece).replace(b"\r", b"\n").split(b"\n")
@@ -148,15 +154,14 @@ class _Listener:
         if text and not (self.on_line is not None and self.on_line(text)):
             self.kept.append(text)
 
-    def _left_s(self) -> float | None:
-        """Seconds until the time is up, 0 when it is; None without a limit."""
-        if self.limits.wall_s is None:
-            return None
-        return max(0.0, self.limits.wall_s - (time.monotonic() - self.started))
-
-    def _time_out(self) -> None:
-        self.timed_out = True
-        os.killpg(self.process.pid, signal.SIGKILL)
+    def _mind_the_limits(self) -> None:
+        """End the program when its time is up or somebody wants it to stop."""
+        if self.limits.wall_s is not None and time.monotonic() - self.started > self.limits.wall_s:
+            self.timed_out = True
+        if self.stop is not None and self.stop.is_set():
+            self.interrupted = True
+        if self.timed_out or (self.stop is not None and self.interrupted):
+            os.killpg(self.process.pid, signal.SIGKILL)
 
     def _pass_on(self) -> None:
         """The first Ctrl-C asks the program to finish, the second ends it."""

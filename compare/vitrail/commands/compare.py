@@ -1,0 +1,53 @@
+"""``vitrail compare``: scenes through both engines, verdicts, a report."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import typer
+
+from vitrail.commands.exit_code import exit_codes, usage_error
+from vitrail.commands.output import print_json
+from vitrail.commands.settings_options import QUALITY, SETTINGS
+
+if TYPE_CHECKING:
+    from vitrail.scene.load import Loaded
+    from vitrail.study.compare.request import Defect
+
+
+def compare(
+    scenes: list[Path] = typer.Argument(..., metavar="SCENE...", help="Scene files, or folders of them."),
+    out: Path = typer.Option(..., "--out", help="The folder for report, results and images."),
+    quality: str = QUALITY,
+    settings: list[str] = SETTINGS,
+    threads: int = typer.Option(0, "--threads", min=0, help="Threads of an engine; 0 takes every core."),
+    jobs: int = typer.Option(1, "--jobs", min=1, help="Scenes worked on at a time."),
+    references: Path | None = typer.Option(None, "--references", help="The folder of closed forms and thresholds."),
+    inject_defect: str = typer.Option("", "--inject-defect", help="Put a known mistake in, to see it caught."),
+    as_json: bool = typer.Option(False, "--json", help="Print results.json instead of the table."),
+) -> None:
+    """Load, plan, lower, render, measure, judge, report."""
+    with exit_codes():
+        from vitrail.commands.verdict_table import print_results
+        from vitrail.report.build import build_report
+        from vitrail.study.compare.request import Request
+        from vitrail.study.compare.suite import compare as compare_scenes
+
+        loaded = load_all(scenes)
+        request = Request(
+            out=out,
+            quality=checked_quality(quality),  # type: ignore[arg-type]
+            overrides=checked_settings(loaded, quality, settings),
+            threads=threads,
+            jobs=jobs,
+            references=references,
+            defect=defect_named(inject_defect),
+            command=("vitrail", *sys.argv[1:]),
+        )
+        with watching(len(loaded)) as watch:
+            results = compare_scenes(loaded, request, watch)
+        page = build_report(out)
+        print_json(results.model_dump(mode="json")) if as_json else print_results(results, page)
+    raise typer.Exit(results.exit_code)
