@@ -1,12 +1,12 @@
 // The stateless random numbers: known Sobol values, the net property, independence of streams.
-#include "base/random.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 #include <vector>
+
+#include "base/random.h"
 
 namespace vitrail {
 namespace {
@@ -23,7 +23,8 @@ TEST(Sobol, FirstPointsAreThePublishedOnes) {
                                  {.375, .375, .625, .875},
                                  {.875, .875, .125, .375}};
   for (std::uint32_t i = 0; i < 8; ++i) {
-    for (int d = 0; d < 4; ++d) EXPECT_EQ(sobol_bits(i)[d] * 0x1p-32, expected[i][d]) << "index " << i << " dimension " << d;
+    for (int d = 0; d < 4; ++d)
+      EXPECT_EQ(sobol_bits(i)[d] * 0x1p-32, expected[i][d]) << "index " << i << " dimension " << d;
   }
 }
 
