@@ -1,9 +1,9 @@
-// The photon map: photons sorted into grid cells as large as the gather disc, and the flat-disc estimate on them.
+/// The photon map: photons sorted into grid cells as large as the gather disc, and the flat-disc estimate on them.
 //
-// Cells are hashed with a lattice: bucket = (i + j*A + k*B) mod M. Cells next to each other along the first axis are
-// next to each other in memory, so the 27 cells around a query are nine contiguous runs. A, B and M are chosen so that
-// these nine runs never overlap, hence no photon is ever counted twice; photons of far cells that share a bucket fail
-// the distance test. No bound on the extent of the scene is needed.
+/// Cells are hashed with a lattice: bucket = (i + j*A + k*B) mod M. Cells next to each other along the first axis are
+/// next to each other in memory, so the 27 cells around a query are nine contiguous runs. A, B and M are chosen so that
+/// these nine runs never overlap, hence no photon is ever counted twice; photons of far cells that share a bucket fail
+/// the distance test. No bound on the extent of the scene is needed.
 #pragma once
 
 #include <array>
@@ -13,10 +13,11 @@
 #include <vector>
 
 #include "base/vec3.h"
+#include "photon/gather_kernel.h"
 
 namespace vitrail {
 
-// One photon where it met a diffuse surface. 28 bytes.
+/// One photon where it met a diffuse surface. 28 bytes.
 struct PhotonRecord {
   float position[3];         // metres, relative to the frame's origin
   float flux[3];             // W per channel; already divided by the number of photons emitted
@@ -25,15 +26,14 @@ struct PhotonRecord {
 };
 static_assert(sizeof(PhotonRecord) == 28);
 
-// Photons keep float positions relative to a double origin near the glass, so a far-away scene loses nothing.
+/// Photons keep float positions relative to a double origin near the glass, so a far-away scene loses nothing.
 struct PhotonFrame {
   Vec3 origin;
 };
 
-PhotonRecord make_photon(const PhotonFrame& frame, const Vec3& position, const Vec3& normal_of_arrival,
-                         const Vec3& flux);
+PhotonRecord make_photon(const PhotonFrame& frame, Vec3 position, Vec3 normal_of_arrival, Rgb flux);
 
-// A place where the camera asks for the light that photons bring. 48 bytes.
+/// A place where the camera asks for the light that photons bring. 48 bytes.
 struct GatherQuery {
   Vec3 position;
   Vec3 normal;  // unit, on the side the camera path came from; only photons that arrived on this side count
@@ -41,34 +41,38 @@ struct GatherQuery {
 
 class PhotonMap {
  public:
-  // Sort the photons of all blocks, in block order, into cells for discs of radius `radius_m`.
-  PhotonMap(const PhotonFrame& frame, std::span<const std::vector<PhotonRecord>> blocks, double radius_m);
+  /// Sort the photons of all blocks, in block order, into cells for discs of radius `radius_m`.
+  PhotonMap(const PhotonFrame& frame, std::span<const std::vector<PhotonRecord>> blocks, double radius_m,
+            GatherWidth width = GatherWidth::widest);
 
-  // Irradiance per channel, W/m2: the flux inside the disc of radius R on the tangent plane over pi R^2. Photons
-  // farther than R/4 from the tangent plane, or on a surface turned more than about 75 degrees away, are left out. The
-  // sum is taken in an order fixed by the photons alone: the same bits on every instruction set and thread.
-  Vec3 irradiance(const GatherQuery& query) const;
+  /// Irradiance per channel, W/m2: the flux inside the disc of radius R on the tangent plane over pi R^2. Photons
+  /// farther than R/4 from the tangent plane, or on a surface turned more than about 75 degrees away, are left out. The
+  /// sum is taken in an order fixed by the photons alone: the same bits on every instruction set and thread.
+  Rgb irradiance(const GatherQuery& query) const;
 
   std::size_t size() const { return size_; }
   double radius_m() const { return radius_m_; }
 
-  // Bytes that a map of `count` photons takes, sorted arrays and cell table together.
+  /// Bytes that a map of `count` photons takes, sorted arrays and cell table together.
   static std::size_t predicted_bytes(std::size_t count);
 
  private:
   std::uint32_t row_of(std::int64_t j, std::int64_t k) const;
+  int collect_runs(const float (&center)[3], PhotonRun* runs) const;
   void choose_lattice(std::span<const std::vector<PhotonRecord>> blocks);
   void sort_into_cells(std::span<const std::vector<PhotonRecord>> blocks);
 
   PhotonFrame frame_;
   double radius_m_;
-  double cells_per_m_;
+  double rows_per_m_;   // across rows
+  double cells_per_m_;  // along rows, finer
+  GatherKernel kernel_;
   std::size_t size_ = 0;
   std::array<int, 3> axis_ = {0, 1, 2};  // the longest extent first: runs of cells lie along it
   std::uint32_t mask_ = 0, stride_j_ = 0, stride_k_ = 0;
   std::vector<std::uint32_t> start_;  // first photon of each bucket, one more at the end
 
-  // Structure of arrays, padded by one vector so that the kernel may read past the end.
+  /// Structure of arrays, padded by one vector so that the kernel may read past the end.
   std::array<std::vector<float>, 3> position_;
   std::array<std::vector<float>, 3> flux_;
   std::vector<std::uint32_t> normal_;  // three signed bytes

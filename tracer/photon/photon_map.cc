@@ -1,0 +1,213 @@
+#include "photon/photon_map.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+namespace vitrail {
+namespace {
+
+constexpr std::uint32_t kPadding = 16;  // one vector of the kernel
+
+// Photons at most R/4 off the tangent plane lie at most sqrt(1 + 1/16) R = 1.0308 R away; 33/32 R covers that with
+// room for rounding. Cells are that wide across rows, and half of it along them, so that runs fit the disc closely.
+constexpr double kOffsetLimit = 0.25;
+constexpr double kReachPerRadius = 33.0 / 32;
+constexpr int kCellsPerReach = 2;
+
+// The photon's normal must have a quarter of the query normal's largest component: cos 75 degrees at most.
+constexpr double kNormalAgreement = 0.25;
+
+// Cell coordinates saturate far away; saturation keeps neighbours neighbours.
+std::int64_t cell_of(double metres, double cells_per_m) {
+  constexpr double kLimit = 1 << 28;
+  return static_cast<std::int64_t>(std::floor(std::clamp(metres * cells_per_m, -kLimit, kLimit)));
+}
+
+std::int8_t signed_byte(double component) { return static_cast<std::int8_t>(std::lround(component * 127)); }
+
+// Rows (dj, dk) at most two cells apart must differ by more than a run reaches to both sides, in either direction.
+bool rows_stay_apart(std::uint32_t a, std::uint32_t b, std::uint32_t mask) {
+  constexpr std::uint32_t kLongestRun = 2 * (kCellsPerReach + 1) + 1;
+  for (int dj = -2; dj <= 2; ++dj) {
+    for (int dk = -2; dk <= 2; ++dk) {
+      if (dj == 0 && dk == 0) continue;
+      const std::uint32_t shift = (static_cast<std::uint32_t>(dj) * a + static_cast<std::uint32_t>(dk) * b) & mask;
+      if (shift < kLongestRun || mask - shift < kLongestRun) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+PhotonRecord make_photon(const PhotonFrame& frame, Vec3 position, Vec3 normal_of_arrival, Rgb flux) {
+  const Vec3 p = position - frame.origin;
+  const Vec3 n = normal_of_arrival;
+  return {{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)},
+          {static_cast<float>(flux.r), static_cast<float>(flux.g), static_cast<float>(flux.b)},
+          {signed_byte(n.x), signed_byte(n.y), signed_byte(n.z)}};
+}
+
+PhotonMap::PhotonMap(const PhotonFrame& frame, std::span<const std::vector<PhotonRecord>> blocks, double radius_m,
+                     GatherWidth width)
+    : frame_(frame),
+      radius_m_(radius_m),
+      rows_per_m_(1 / (radius_m * kReachPerRadius)),
+      cells_per_m_(kCellsPerReach * rows_per_m_),
+      kernel_(gather_kernel(width)) {
+  for (const auto& block : blocks) size_ += block.size();
+  if (size_ == 0) return;
+  choose_lattice(blocks);
+  sort_into_cells(blocks);
+}
+
+// Take a dense grid where the photons fill a compact box, and scattered rows where they do not.
+void PhotonMap::choose_lattice(std::span<const std::vector<PhotonRecord>> blocks) {
+  std::array<float, 3> low, high;
+  low.fill(std::numeric_limits<float>::infinity());
+  high.fill(-std::numeric_limits<float>::infinity());
+  for (const auto& block : blocks) {
+    for (const PhotonRecord& photon : block) {
+      for (int a = 0; a < 3; ++a) {
+        low[a] = std::min(low[a], photon.position[a]);
+        high[a] = std::max(high[a], photon.position[a]);
+      }
+    }
+  }
+  std::sort(axis_.begin(), axis_.end(), [&](int a, int b) {
+    const float extent_a = high[a] - low[a], extent_b = high[b] - low[b];
+    return extent_a != extent_b ? extent_a > extent_b : a < b;
+  });
+  double cells[3];
+  for (int a = 0; a < 3; ++a) {
+    const double per_m = a == 0 ? cells_per_m_ : rows_per_m_;
+    cells[a] = std::ceil((static_cast<double>(high[axis_[a]]) - low[axis_[a]]) * per_m) + 4 * kCellsPerReach;
+  }
+
+  // Spend at most four buckets a photon on a dense grid; hash with odd strides otherwise.
+  const double most = std::max(65536.0, 4.0 * static_cast<double>(size_));
+  const double dense = cells[0] * cells[1] * cells[2];
+  if (dense <= most) {
+    mask_ = std::bit_ceil(static_cast<std::uint32_t>(dense)) - 1;
+    stride_j_ = static_cast<std::uint32_t>(cells[0]);
+    stride_k_ = stride_j_ * static_cast<std::uint32_t>(cells[1]);
+  } else {
+    mask_ = std::bit_ceil(static_cast<std::uint32_t>(std::min(most / 2, 0x1p31))) - 1;
+    stride_j_ = 0x9e3779b1u & mask_;
+    stride_k_ = 0x85ebca77u & mask_;
+  }
+  while (!rows_stay_apart(stride_j_, stride_k_, mask_)) {
+    stride_j_ = (stride_j_ + 6) & mask_;
+    stride_k_ = (stride_k_ * 5 + 34) & mask_;
+  }
+}
+
+std::uint32_t PhotonMap::row_of(std::int64_t j, std::int64_t k) const {
+  return static_cast<std::uint32_t>(j) * stride_j_ + static_cast<std::uint32_t>(k) * stride_k_;
+}
+
+// Counting sort: count each bucket, sum up, and move every photon to its place. Stable, so the order is that of
+// emission.
+void PhotonMap::sort_into_cells(std::span<const std::vector<PhotonRecord>> blocks) {
+  start_.assign(static_cast<std::size_t>(mask_) + 3, 0);
+  std::vector<std::uint32_t> bucket(size_);
+  std::size_t next = 0;
+  for (const auto& block : blocks) {
+    for (const PhotonRecord& photon : block) {
+      const std::int64_t i = cell_of(photon.position[axis_[0]], cells_per_m_);
+      const std::int64_t j = cell_of(photon.position[axis_[1]], rows_per_m_);
+      const std::int64_t k = cell_of(photon.position[axis_[2]], rows_per_m_);
+      const std::uint32_t b = (static_cast<std::uint32_t>(i) + row_of(j, k)) & mask_;
+      bucket[next++] = b;
+      ++start_[b + 2];
+    }
+  }
+  for (std::size_t b = 2; b < start_.size(); ++b) start_[b] += start_[b - 1];
+
+  for (auto& column : position_) column.resize(size_ + kPadding);
+  for (auto& column : flux_) column.resize(size_ + kPadding);
+  normal_.resize(size_ + kPadding);
+  next = 0;
+  for (const auto& block : blocks) {
+    for (const PhotonRecord& photon : block) {
+      const std::uint32_t place = start_[bucket[next++] + 1]++;
+      for (int a = 0; a < 3; ++a) {
+        position_[a][place] = photon.position[axis_[a]];
+        flux_[a][place] = photon.flux[a];
+      }
+      const auto byte = [&](int a) { return static_cast<std::uint32_t>(static_cast<std::uint8_t>(photon.normal[a])); };
+      normal_[place] = byte(axis_[0]) | byte(axis_[1]) << 8 | byte(axis_[2]) << 16;
+    }
+  }
+  start_.pop_back();
+}
+
+// Collect the occupied runs of the nine rows around a point, each cut to the chord of the sphere that the disc lies in.
+int PhotonMap::collect_runs(const float (&center)[3], PhotonRun* runs) const {
+  const double reach = radius_m_ * kReachPerRadius;
+  const std::int64_t row[2] = {cell_of(center[1], rows_per_m_), cell_of(center[2], rows_per_m_)};
+  double gap_squared[2][3];
+  for (int a = 0; a < 2; ++a) {
+    const double below = center[1 + a] - static_cast<double>(row[a]) * reach;
+    gap_squared[a][0] = below * below;
+    gap_squared[a][1] = 0;
+    gap_squared[a][2] = (reach - below) * (reach - below);
+  }
+  int count = 0;
+  for (int dk = -1; dk <= 1; ++dk) {
+    for (int dj = -1; dj <= 1; ++dj) {
+      const double left = reach * reach - gap_squared[0][dj + 1] - gap_squared[1][dk + 1];
+      if (!(left > 0)) continue;
+      const double half = std::sqrt(left);
+      const std::int64_t first = cell_of(center[0] - half, cells_per_m_);
+      const std::int64_t last = cell_of(center[0] + half, cells_per_m_);
+      const std::uint32_t bucket = (static_cast<std::uint32_t>(first) + row_of(row[0] + dj, row[1] + dk)) & mask_;
+      const std::uint32_t cells = static_cast<std::uint32_t>(last - first) + 1;
+
+      // A run that wraps around the table has two pieces.
+      const std::uint32_t in_table = std::min(cells, mask_ - bucket + 1);
+      const PhotonRun run{start_[bucket], start_[bucket + in_table]};
+      if (run.begin != run.end) runs[count++] = run;
+      if (in_table < cells && start_[cells - in_table] != 0) runs[count++] = {0, start_[cells - in_table]};
+    }
+  }
+  return count;
+}
+
+Rgb PhotonMap::irradiance(const GatherQuery& query) const {
+  if (size_ == 0) return {0, 0, 0};
+  const Vec3 from_origin = query.position - frame_.origin;
+  const double p[3] = {from_origin.x, from_origin.y, from_origin.z};
+  const double n[3] = {query.normal.x, query.normal.y, query.normal.z};
+
+  // Describe the disc in the floats of the frame and the axis order of the cells.
+  Disc disc;
+  int largest = 0;
+  for (int a = 0; a < 3; ++a) {
+    disc.center[a] = static_cast<float>(p[axis_[a]]);
+    disc.normal[a] = static_cast<float>(n[axis_[a]]);
+    if (std::abs(disc.normal[a]) > std::abs(disc.normal[largest])) largest = a;
+  }
+  disc.radius_squared = static_cast<float>(radius_m_ * radius_m_);
+  disc.offset_squared = static_cast<float>(kOffsetLimit * kOffsetLimit * radius_m_ * radius_m_);
+  disc.normal_shift = 24 - 8 * largest;
+  disc.normal_flip = disc.normal[largest] < 0 ? -1 : 0;
+  const double least = std::max(1.0, kNormalAgreement * 127 * std::abs(disc.normal[largest]));
+  disc.normal_least = static_cast<std::int32_t>(least) << 24;
+
+  PhotonRun runs[2 * 9];
+  const int run_count = collect_runs(disc.center, runs);
+  const PhotonColumns columns{{position_[0].data(), position_[1].data(), position_[2].data()},
+                              {flux_[0].data(), flux_[1].data(), flux_[2].data()},
+                              normal_.data()};
+  return kernel_(columns, runs, run_count, disc) * (1 / (M_PI * radius_m_ * radius_m_));
+}
+
+std::size_t PhotonMap::predicted_bytes(std::size_t count) {
+  const std::size_t columns = 7 * sizeof(float) * (count + kPadding);
+  const std::size_t table = sizeof(std::uint32_t) * std::max<std::size_t>(131072, 8 * count);
+  return columns + table + sizeof(std::uint32_t) * count;
+}
+
+}  // namespace vitrail
