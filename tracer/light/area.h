@@ -1,0 +1,24 @@
+#pragma once
+/// A lamp with an area: one-sided and Lambertian, or collimated along its normal.
+
+#include "light/emission.h"
+#include "light/window.h"
+
+namespace vitrail {
+
+Illumination illuminate(const AreaLight& light, Vec3 point, LightSample sample);
+
+/// Photons from everywhere on the lamp: into the cone around the target, or all along the normal.
+struct AreaChart {
+  Window lamp;
+  Vec3 normal;
+  bool collimated = false;
+  Sphere target;
+  Rgb emitted;  // radiance, or irradiance if collimated
+  Rgb power;    // an estimate for sharing out photons; a collimated lamp's exact power
+};
+
+AreaChart aim(const AreaLight& light, const Target& target);
+Emission emit(const AreaChart& chart, const EmissionSample& sample);
+
+}  // namespace vitrail

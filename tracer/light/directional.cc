@@ -1,0 +1,55 @@
+#include "light/directional.h"
+
+#include <limits>
+
+#include "light/sampling.h"
+
+namespace vitrail {
+namespace {
+
+double one_minus_cos_of_sun(const DirectionalLight& light) {
+  const double sine = std::sin(light.angular_diameter_deg * (M_PI / 720));
+  return 2 * sine * sine;
+}
+
+// Uniform radiance L over the sun's disc gives irradiance L pi sin^2 on a facing surface; each direction, taken alone,
+// stands for L times the disc's solid angle.
+double share_of_a_direction(double one_minus_cos) { return 2 / (2 - one_minus_cos); }
+
+Window upstream_window(const Target& target, Vec3 direction, const Sphere& surroundings) {
+  Window window = window_on(target, direction);
+  window.center = upstream_of(window.center, direction, surroundings);
+  return window;
+}
+
+}  // namespace
+
+Illumination illuminate(const DirectionalLight& light, Vec3, LightSample sample) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  if (light.angular_diameter_deg == 0) return {-light.direction, kInfinity, light.irradiance};
+  const double one_minus_cos = one_minus_cos_of_sun(light);
+  const Vec3 toward = in_cone(-light.direction, one_minus_cos, sample[0], sample[1]);
+  return {toward, kInfinity, light.irradiance * share_of_a_direction(one_minus_cos)};
+}
+
+DirectionalChart aim(const DirectionalLight& light, const Target& target, const Sphere& surroundings) {
+  DirectionalChart chart;
+  chart.direction = light.direction;
+  chart.one_minus_cos = one_minus_cos_of_sun(light);
+  chart.window = upstream_window(target, light.direction, surroundings);
+  chart.target = target;
+  chart.surroundings = surroundings;
+  chart.power = light.irradiance * (chart.window.area() * share_of_a_direction(chart.one_minus_cos));
+  return chart;
+}
+
+Emission emit(const DirectionalChart& chart, const EmissionSample& sample) {
+  if (chart.one_minus_cos == 0) return {{chart.window.at(sample[0], sample[1]), chart.direction}, chart.power};
+
+  // Turn the window to face the chosen direction of the sun's disc.
+  const Vec3 direction = in_cone(chart.direction, chart.one_minus_cos, sample[2], sample[3]);
+  const Window window = upstream_window(chart.target, direction, chart.surroundings);
+  return {{window.at(sample[0], sample[1]), direction}, chart.power * (window.area() / chart.window.area())};
+}
+
+}  // namespace vitrail

@@ -1,0 +1,24 @@
+#pragma once
+/// Light from infinity, parallel or from a disc in the sky (the sun).
+
+#include "light/emission.h"
+#include "light/window.h"
+
+namespace vitrail {
+
+Illumination illuminate(const DirectionalLight& light, Vec3 point, LightSample sample);
+
+/// Photons through a window that covers the target as seen along the light; a sun has one window for each direction.
+struct DirectionalChart {
+  Vec3 direction;
+  double one_minus_cos = 0;  // of the sun's angular radius; 0 for parallel light
+  Window window;             // across `direction`, upstream of everything
+  Target target;
+  Sphere surroundings;
+  Rgb power;  // through the window, W
+};
+
+DirectionalChart aim(const DirectionalLight& light, const Target& target, const Sphere& surroundings);
+Emission emit(const DirectionalChart& chart, const EmissionSample& sample);
+
+}  // namespace vitrail

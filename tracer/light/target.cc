@@ -1,0 +1,53 @@
+#include "light/target.h"
+
+#include <cmath>
+
+namespace vitrail {
+namespace {
+
+Sphere sphere_around(const Bounds& box) { return {(box.min + box.max) * 0.5, length(box.max - box.min) * 0.5}; }
+
+Bounds box_around(const Sphere& s) {
+  const Vec3 reach{s.radius, s.radius, s.radius};
+  return {s.center - reach, s.center + reach};
+}
+
+bool is_specular(const Material& material) {
+  return !is_black(material.reflection) || !is_black(material.transmission);
+}
+
+// Cover what a plane mirrors into the finite part of the scene: the image of that part is as far behind as it is in
+// front.
+Target target_of_plane(std::uint32_t object, const PlaneShape& plane, const Sphere& surroundings) {
+  const double height = dot(surroundings.center - plane.point, plane.normal);
+  const Sphere bound{surroundings.center - plane.normal * height, std::abs(height) + surroundings.radius};
+  return {object, bound, box_around(bound)};
+}
+
+}  // namespace
+
+Targets find_targets(const Scene& scene, const Intersector& intersector) {
+  Targets found;
+  const Bounds finite = intersector.bounds();
+  if (!finite.is_empty()) found.surroundings = sphere_around(finite);
+  for (std::uint32_t i = 0; i < scene.objects.size(); ++i) {
+    const Object& object = scene.objects[i];
+    if (!is_specular(scene.material_of(i))) continue;
+    if (const auto* sphere = std::get_if<SphereShape>(&object.shape)) {
+      const Sphere bound{sphere->center, sphere->radius};
+      found.targets.push_back({i, bound, box_around(bound)});
+    } else if (const auto* plane = std::get_if<PlaneShape>(&object.shape)) {
+      if (finite.is_empty()) continue;
+      found.targets.push_back(target_of_plane(i, *plane, found.surroundings));
+      found.warnings.push_back("objects." + object.name + ": photons cover this infinite plane only within " +
+                               std::to_string(found.targets.back().bound.radius) +
+                               " m of the finite objects; use a rectangle to cover a chosen part");
+    } else {
+      const Bounds box = intersector.object_bounds(i);
+      found.targets.push_back({i, sphere_around(box), box});
+    }
+  }
+  return found;
+}
+
+}  // namespace vitrail

@@ -1,0 +1,49 @@
+#include "light/window.h"
+
+#include <cmath>
+#include <limits>
+
+#include "light/sampling.h"
+
+namespace vitrail {
+
+double Window::area() const { return (round ? M_PI : 4) * length(u) * length(v); }
+
+Vec3 Window::at(double a, double b) const {
+  if (!round) return center + u * (2 * a - 1) + v * (2 * b - 1);
+  const auto [x, y] = on_unit_disc(a, b);
+  return center + u * x + v * y;
+}
+
+Window window_on(const Target& target, Vec3 direction) {
+  const SurfaceFrame frame = surface_frame(direction);
+  const Window disc{target.bound.center, frame.u * target.bound.radius, frame.v * target.bound.radius, true};
+
+  // Project the eight corners of the box.
+  double low[2], high[2];
+  for (int a = 0; a < 2; ++a) {
+    low[a] = std::numeric_limits<double>::infinity();
+    high[a] = -low[a];
+  }
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 p{corner & 1 ? target.box.max.x : target.box.min.x, corner & 2 ? target.box.max.y : target.box.min.y,
+                 corner & 4 ? target.box.max.z : target.box.min.z};
+    const Vec3 from_center = p - target.bound.center;
+    const double along[2] = {dot(from_center, frame.u), dot(from_center, frame.v)};
+    for (int a = 0; a < 2; ++a) {
+      low[a] = std::min(low[a], along[a]);
+      high[a] = std::max(high[a], along[a]);
+    }
+  }
+  const Vec3 center = target.bound.center + frame.u * ((low[0] + high[0]) / 2) + frame.v * ((low[1] + high[1]) / 2);
+  const Window rectangle{center, frame.u * ((high[0] - low[0]) / 2), frame.v * ((high[1] - low[1]) / 2), false};
+  return rectangle.area() < disc.area() ? rectangle : disc;
+}
+
+Vec3 upstream_of(Vec3 point, Vec3 direction, const Sphere& surroundings) {
+  // A margin of a thousandth keeps the start off the surfaces; scaling the scene scales it.
+  const double start = dot(surroundings.center, direction) - 1.001 * surroundings.radius;
+  return point + direction * std::min(0.0, start - dot(point, direction));
+}
+
+}  // namespace vitrail

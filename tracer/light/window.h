@@ -1,0 +1,22 @@
+#pragma once
+/// The window that parallel light must pass to reach a target.
+
+#include "light/target.h"
+
+namespace vitrail {
+
+/// center + a u + b v for a, b in [-1, 1], or with a^2 + b^2 <= 1 if round.
+struct Window {
+  Vec3 center, u, v;
+  bool round = true;
+  double area() const;
+  Vec3 at(double a, double b) const;  // a, b in (0, 1), uniform over the window
+};
+
+/// The smaller of the disc around the target's sphere and the rectangle around its box, across `direction`.
+Window window_on(const Target& target, Vec3 direction);
+
+/// The point moved against `direction` to where nothing finite lies upstream of it.
+Vec3 upstream_of(Vec3 point, Vec3 direction, const Sphere& surroundings);
+
+}  // namespace vitrail
