@@ -1,0 +1,89 @@
+#include "photon/pass.h"
+
+#include <algorithm>
+
+#include "base/cpu_clock.h"
+#include "base/parallel.h"
+
+namespace vitrail {
+namespace {
+
+// A power of two, so that each block of a chart is a net of its own.
+constexpr std::uint64_t kPhotonsPerBlock = 8192;
+
+struct BlockPlan {
+  int half;
+  std::uint32_t chart;
+  std::uint64_t first, count;
+};
+
+std::vector<BlockPlan> plan_blocks(const std::vector<Chart>& charts) {
+  std::vector<BlockPlan> plan;
+  for (int half = 0; half < 2; ++half) {
+    for (std::uint32_t c = 0; c < charts.size(); ++c) {
+      for (std::uint64_t first = 0; first < charts[c].count; first += kPhotonsPerBlock) {
+        plan.push_back({half, c, first, std::min(kPhotonsPerBlock, charts[c].count - first)});
+      }
+    }
+  }
+  return plan;
+}
+
+}  // namespace
+
+PhotonMaps make_photon_maps(const Scene& scene, const Intersector& intersector, unsigned threads, Monitor& monitor) {
+  PhotonMaps maps;
+  PhotonStatistics& statistics = maps.statistics;
+  const Targets targets = find_targets(scene, intersector);
+  statistics.warnings = targets.warnings;
+  const std::vector<Chart> charts = make_charts(scene, targets, scene.settings.photons / 2);
+  const PhotonPass pass{scene, intersector, {targets.surroundings.center}};
+
+  // Trace all blocks; each writes to a place of its own, so the order of the work is of no consequence.
+  const std::vector<BlockPlan> plan = plan_blocks(charts);
+  std::vector<PhotonBlock> blocks(plan.size());
+  std::vector<double> cpu_s(plan.size());
+  monitor.begin("photon_pass", plan.size());
+  parallel_blocks(plan.size(), threads, [&](std::uint64_t b, unsigned) {
+    if (monitor.interrupted()) return;
+    const double start = thread_cpu_s();
+    const BlockPlan& todo = plan[b];
+    const std::uint64_t half = static_cast<std::uint64_t>(todo.half);
+    const Stream stream = stream_of(scene.settings.seed, Purpose::kEmissionPosition, todo.chart, half);
+    blocks[b] = trace_photons(pass, charts[todo.chart], stream, todo.first, todo.count);
+    cpu_s[b] = thread_cpu_s() - start;
+    monitor.advance(1);
+  });
+
+  // Add the books in the order of the blocks.
+  std::vector<std::vector<PhotonRecord>> records[2];
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    statistics.ledger += blocks[b].ledger;
+    statistics.emitted += plan[b].count;
+    statistics.stored += blocks[b].photons.size();
+    statistics.trace_cpu_s += cpu_s[b];
+    records[plan[b].half].push_back(std::move(blocks[b].photons));
+  }
+  statistics.ledger = statistics.ledger.scaled(0.5);
+
+  // Sort each half, one thread each.
+  double sort_cpu_s[2] = {0, 0};
+  monitor.begin("photon_sort", 2);
+  parallel_blocks(2, threads, [&](std::uint64_t half, unsigned) {
+    if (monitor.interrupted()) records[half].clear();
+    const double start = thread_cpu_s();
+    maps.half[half] = std::make_unique<PhotonMap>(pass.frame, records[half], scene.settings.gather_radius_m);
+    records[half].clear();
+    sort_cpu_s[half] = thread_cpu_s() - start;
+    monitor.advance(1);
+  });
+  statistics.sort_cpu_s = sort_cpu_s[0] + sort_cpu_s[1];
+  return maps;
+}
+
+std::uint64_t predicted_photon_bytes(std::uint64_t photons, double stored_per_photon) {
+  const auto stored = static_cast<std::uint64_t>(stored_per_photon * static_cast<double>(photons));
+  return stored * sizeof(PhotonRecord) + 2 * PhotonMap::predicted_bytes(stored / 2);
+}
+
+}  // namespace vitrail

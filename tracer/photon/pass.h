@@ -1,0 +1,31 @@
+#pragma once
+/// The whole light side: charts, blocks of photons on all threads, and one sorted map for each half.
+
+#include <memory>
+
+#include "base/monitor.h"
+#include "photon/trace.h"
+
+namespace vitrail {
+
+struct PhotonStatistics {
+  Ledger ledger;  // mean of the two halves, each of which carries the whole power
+  std::uint64_t emitted = 0, stored = 0;
+  double trace_cpu_s = 0, sort_cpu_s = 0;
+  std::vector<std::string> warnings;
+};
+
+/// Two maps from independent scramblings of the same light. Each alone estimates the caustic; their difference is
+/// noise.
+struct PhotonMaps {
+  std::unique_ptr<PhotonMap> half[2];
+  PhotonStatistics statistics;
+};
+
+/// Emit settings.photons, half of them into each map. Empty maps if the monitor interrupts.
+PhotonMaps make_photon_maps(const Scene& scene, const Intersector& intersector, unsigned threads, Monitor& monitor);
+
+/// Peak bytes of the pass if each photon is stored `stored_per_photon` times.
+std::uint64_t predicted_photon_bytes(std::uint64_t photons, double stored_per_photon);
+
+}  // namespace vitrail

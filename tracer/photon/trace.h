@@ -1,0 +1,35 @@
+#pragma once
+/// Follow photons from a light through mirrors and glass to the diffuse surfaces where they are stored.
+
+#include "base/random.h"
+#include "light/light.h"
+#include "material/surface.h"
+#include "photon/ledger.h"
+#include "photon/photon_map.h"
+
+namespace vitrail {
+
+/// A branch below this share of the photon's power where it began is cut off and booked as truncated. At a face without
+/// absorption the first cut loses less than 1e-4 of the photon; what is lost in all stands in the ledger.
+inline constexpr double kLeastPhotonShare = 1e-4;
+
+/// What one block of photons leaves behind.
+struct PhotonBlock {
+  std::vector<PhotonRecord> photons;
+  Ledger ledger;
+};
+
+/// Everything that stays the same over a photon pass.
+struct PhotonPass {
+  const Scene& scene;
+  const Intersector& intersector;
+  PhotonFrame frame;
+};
+
+/// Emit photons first .. first + count of a chart with a scrambling, and follow each through every branch: reflected
+/// and refracted light both go on, in exact shares, so the ledger closes photon by photon and there is no roulette
+/// noise. A photon is stored on every surface that can be diffuse, after at least one specular bounce [S section 4].
+PhotonBlock trace_photons(const PhotonPass& pass, const Chart& chart, Stream stream, std::uint64_t first,
+                          std::uint64_t count);
+
+}  // namespace vitrail
