@@ -1,0 +1,91 @@
+#include "render/render.h"
+
+#include "base/cpu_clock.h"
+#include "base/diagnostic.h"
+#include "base/parallel.h"
+#include "photon/pass.h"
+#include "render/tile.h"
+
+namespace vitrail {
+namespace {
+
+// Each photon may be stored more than once: a Fresnel face splits it. Twice is rarely exceeded.
+constexpr double kStoredPerPhoton = 2;
+
+void refuse_what_cannot_work(const Scene& scene) {
+  std::vector<Diagnostic> found;
+  if (scene.plan.caustic && scene.settings.photons > 0 && !(scene.settings.gather_radius_m > 0)) {
+    found.push_back({"settings.gather_radius_m", "is not above 0, but the plan has a caustic pass",
+                     "give the radius of the gather disc in metres"});
+  }
+  if (scene.settings.photons / 2 >= (std::uint64_t{1} << 32)) {
+    found.push_back({"settings.photons", "is above 2^33", "render several seeds and average them"});
+  }
+  const double mb = static_cast<double>(predicted_bytes(scene)) / 1e6;
+  if (scene.settings.memory_limit_mb > 0 && mb > scene.settings.memory_limit_mb) {
+    found.push_back({"settings.memory_limit_mb",
+                     "the rendering needs about " + std::to_string(static_cast<long>(mb)) + " MB, the limit is " +
+                         std::to_string(static_cast<long>(scene.settings.memory_limit_mb)) + " MB",
+                     "lower `photons` or the image size, or raise the limit"});
+  }
+  if (!found.empty()) throw InputError(found);
+}
+
+}  // namespace
+
+Counters& Counters::operator+=(const Counters& other) {
+  camera_rays += other.camera_rays;
+  shadow_rays += other.shadow_rays;
+  photons_emitted += other.photons_emitted;
+  photons_stored += other.photons_stored;
+  gather_queries += other.gather_queries;
+  return *this;
+}
+
+Rendering render(const Scene& scene, unsigned threads, Monitor& monitor) {
+  refuse_what_cannot_work(scene);
+  Rendering result{Film(scene.image.width, scene.image.height), {}, {}, {}, {}, false};
+
+  // Build what rays ask.
+  const double start = thread_cpu_s();
+  const Intersector intersector(scene);
+  result.cpu_s.build = thread_cpu_s() - start;
+
+  // Send out the photons.
+  PhotonMaps maps;
+  if (scene.plan.caustic && scene.settings.photons > 0) {
+    maps = make_photon_maps(scene, intersector, threads, monitor);
+    result.ledger = maps.statistics.ledger;
+    result.warnings = maps.statistics.warnings;
+    result.cpu_s.photon_pass = maps.statistics.trace_cpu_s;
+    result.cpu_s.photon_sort = maps.statistics.sort_cpu_s;
+    result.counters.photons_emitted = maps.statistics.emitted;
+    result.counters.photons_stored = maps.statistics.stored;
+  }
+
+  // Look through every pixel.
+  const std::vector<Tile> tiles = tiles_of(scene.image);
+  std::vector<TileStatistics> statistics(tiles.size());
+  const TileContext context{scene, intersector, maps};
+  monitor.begin("camera", tiles.size());
+  parallel_blocks(tiles.size(), threads, [&](std::uint64_t t, unsigned) {
+    if (monitor.interrupted()) return;
+    statistics[t] = render_tile(context, tiles[t], result.film);
+    monitor.advance(1);
+  });
+  for (const TileStatistics& tile : statistics) {
+    result.counters += tile.counters;
+    result.cpu_s.camera += tile.camera_cpu_s;
+    result.cpu_s.gather += tile.gather_cpu_s;
+  }
+  result.interrupted = monitor.interrupted();
+  return result;
+}
+
+std::uint64_t predicted_bytes(const Scene& scene) {
+  std::uint64_t bytes = Film::predicted_bytes(scene.image.width, scene.image.height);
+  if (scene.plan.caustic) bytes += predicted_photon_bytes(scene.settings.photons, kStoredPerPhoton);
+  return bytes;
+}
+
+}  // namespace vitrail

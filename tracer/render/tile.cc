@@ -1,0 +1,131 @@
+#include "render/tile.h"
+
+#include <algorithm>
+
+#include "base/cpu_clock.h"
+#include "render/camera.h"
+
+namespace vitrail {
+namespace {
+
+constexpr int kTileSide = 32;
+
+// A light with an extent is looked at this often per pixel, shared out over the pixel's samples.
+constexpr int kLightSamplesPerPixel = 16;
+
+// The samples of one pixel: one through its centre, or two independent sets of Owen-Sobol points.
+struct PixelSampler {
+  int per_half;
+  bool shared;  // one sample, which serves both halves
+
+  explicit PixelSampler(int samples) : per_half(std::max(1, (samples + 1) / 2)), shared(samples <= 1) {}
+
+  std::array<double, 2> at(std::uint64_t seed, std::uint64_t pixel, int half, int sample) const {
+    if (shared) return {0.5, 0.5};
+    const Stream stream = stream_of(seed, Purpose::kPixel, pixel, static_cast<std::uint64_t>(half));
+    return sobol_2d(stream, static_cast<std::uint32_t>(sample));
+  }
+};
+
+// Look through every sample of a pixel and add what is seen at once; leave the rest in `requests`.
+class PixelRenderer {
+ public:
+  PixelRenderer(const TileContext& context, Film& film, TileStatistics& statistics)
+      : context_(context),
+        film_(film),
+        statistics_(statistics),
+        sampler_(context.scene.settings.samples),
+        tracer_(context.scene, context.intersector) {}
+
+  void render(int x, int y, std::uint32_t pixel_in_tile, std::vector<GatherRequest>& requests) {
+    const double share = 1.0 / sampler_.per_half;
+    for (int half = 0; half < (sampler_.shared ? 1 : 2); ++half) {
+      HalfPixel sum;
+      for (int sample = 0; sample < sampler_.per_half; ++sample) {
+        look(x, y, half, sample);
+        for (int l = 0; l < kLayerCount; ++l) sum.layers[l] += result_.radiance.layers[l];
+        for (GatherRequest request : result_.requests) {
+          request.weight = request.weight * share;
+          request.pixel = pixel_in_tile;
+          request.half = static_cast<std::uint8_t>(half);
+          request.both_halves = sampler_.shared;
+          requests.push_back(request);
+        }
+      }
+      if (sampler_.per_half > 1) {
+        for (Rgb& layer : sum.layers) layer = layer * share;
+      }
+      film_.at(half, x, y) = sum;
+      if (sampler_.shared) film_.at(1, x, y) = sum;
+    }
+  }
+
+ private:
+  void look(int x, int y, int half, int sample) {
+    const Scene& scene = context_.scene;
+    const auto pixel =
+        static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(scene.image.width) + static_cast<std::uint64_t>(x);
+    const auto [dx, dy] = sampler_.at(scene.settings.seed, pixel, half, sample);
+    CameraPath path;
+    path.ray = camera_ray(scene.camera, scene.image, x + dx, y + dy);
+    path.media = context_.intersector.media_at(path.ray.origin);
+    path.draw = {stream_of(scene.settings.seed, Purpose::kLightSample, pixel, static_cast<std::uint64_t>(half)),
+                 static_cast<std::uint32_t>(sample)};
+    path.light_samples = std::max(1, kLightSamplesPerPixel / std::max(1, scene.settings.samples));
+    tracer_.trace(path, result_);
+    statistics_.counters.camera_rays += result_.rays;
+    statistics_.counters.shadow_rays += result_.shadow_rays;
+  }
+
+  const TileContext& context_;
+  Film& film_;
+  TileStatistics& statistics_;
+  PixelSampler sampler_;
+  CameraTracer tracer_;
+  PathResult result_;
+};
+
+// Ask the photon maps, in the order in which the requests were made: neighbours share cells.
+void gather(const PhotonMaps& maps, const Tile& tile, const std::vector<GatherRequest>& requests, Film& film) {
+  const auto width = static_cast<std::uint32_t>(tile.x1 - tile.x0);
+  for (const GatherRequest& request : requests) {
+    const int x = tile.x0 + static_cast<int>(request.pixel % width);
+    const int y = tile.y0 + static_cast<int>(request.pixel / width);
+    for (int half = 0; half < 2; ++half) {
+      if (!request.both_halves && half != request.half) continue;
+      if (!maps.half[half]) continue;
+      film.at(half, x, y)[Layer::caustic] += request.weight * maps.half[half]->irradiance(request.query);
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Tile> tiles_of(const Image& image) {
+  std::vector<Tile> tiles;
+  for (int y = 0; y < image.height; y += kTileSide) {
+    for (int x = 0; x < image.width; x += kTileSide) {
+      tiles.push_back({x, y, std::min(x + kTileSide, image.width), std::min(y + kTileSide, image.height)});
+    }
+  }
+  return tiles;
+}
+
+TileStatistics render_tile(const TileContext& context, const Tile& tile, Film& film) {
+  TileStatistics statistics;
+  std::vector<GatherRequest> requests;
+  const double start = thread_cpu_s();
+  PixelRenderer renderer(context, film, statistics);
+  std::uint32_t pixel = 0;
+  for (int y = tile.y0; y < tile.y1; ++y) {
+    for (int x = tile.x0; x < tile.x1; ++x) renderer.render(x, y, pixel++, requests);
+  }
+  const double looked = thread_cpu_s();
+  statistics.camera_cpu_s = looked - start;
+  gather(context.maps, tile, requests, film);
+  for (const GatherRequest& request : requests) statistics.counters.gather_queries += request.both_halves ? 2 : 1;
+  statistics.gather_cpu_s = thread_cpu_s() - looked;
+  return statistics;
+}
+
+}  // namespace vitrail

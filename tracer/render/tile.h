@@ -1,0 +1,32 @@
+#pragma once
+/// One tile of the image: look through every sample of every pixel, then gather photons for all of them at once.
+
+#include "photon/pass.h"
+#include "render/render.h"
+#include "render/whitted.h"
+
+namespace vitrail {
+
+struct Tile {
+  int x0, y0, x1, y1;  // pixels [x0, x1) x [y0, y1)
+};
+
+/// The tiles of an image in reading order.
+std::vector<Tile> tiles_of(const Image& image);
+
+/// What all tiles share.
+struct TileContext {
+  const Scene& scene;
+  const Intersector& intersector;
+  const PhotonMaps& maps;
+};
+
+struct TileStatistics {
+  Counters counters;
+  double camera_cpu_s = 0, gather_cpu_s = 0;
+};
+
+/// Render a tile into its part of the film.
+TileStatistics render_tile(const TileContext& context, const Tile& tile, Film& film);
+
+}  // namespace vitrail

@@ -1,0 +1,104 @@
+#include "render/whitted.h"
+
+#include <algorithm>
+
+namespace vitrail {
+
+CameraTracer::CameraTracer(const Scene& scene, const Intersector& intersector)
+    : scene_(scene), intersector_(intersector) {
+  for (const Material& material : scene.materials) {
+    const auto& ior = material.ior_by_band;
+    disperses_.push_back(std::any_of(ior.begin(), ior.end(), [&](double n) { return n != ior[0]; }));
+  }
+}
+
+void CameraTracer::trace(const CameraPath& path, PathResult& result) {
+  result.radiance = {};
+  result.requests.clear();
+  result.rays = result.shadow_rays = 0;
+  path_ = path;
+  const bool undispersed = !scene_.paper.disperse_camera;
+  ior_at_camera_ = ior_in(scene_, path.media, 0);
+  pending_.clear();
+  pending_.push_back({path.ray, {}, path.media, {1, 1, 1}});
+  while (!pending_.empty()) {
+    const Look look = pending_.back();
+    pending_.pop_back();
+    ++result.rays;
+    const Arrival arrival =
+        advance(scene_, intersector_, look.ray, look.departures, look.media, look.band, undispersed);
+    if (arrival.escaped) continue;
+    const Rgb throughput = look.throughput * arrival.transmittance;
+
+    // Split into bands at the first face that tells them apart; from there each keeps its own index.
+    const auto tells_apart = [&](std::uint32_t object) {
+      return object != kAir && disperses_[scene_.objects[object].material];
+    };
+    const Interaction& event = arrival.event;
+    const bool split = !undispersed && !look.band_chosen && event.transmit.exists &&
+                       (tells_apart(event.medium_before) || tells_apart(event.medium_after));
+    scatter(look, arrival, event, throughput, result);
+    if (!split) {
+      meet(look, arrival, event, throughput);
+      continue;
+    }
+    for (std::uint32_t band = 0; band < scene_.bands.size(); ++band) {
+      Look one = look;
+      one.band = band;
+      one.band_chosen = true;
+      const Interaction in_band = interact(scene_, arrival.hit, look.ray.direction, arrival.media, band);
+      meet(one, arrival, in_band, throughput * scene_.bands[band].weight);
+    }
+  }
+}
+
+// Add what the surface itself shows: its emission, direct light, ambient light, and a request for photons.
+void CameraTracer::scatter(const Look& look, const Arrival& arrival, const Interaction& event, Rgb throughput,
+                           PathResult& result) {
+  // Radiance inside glass is larger by the index squared; the camera sees it without that factor [O 1.1 row 10].
+  const double ratio = ior_at_camera_ / event.ior_before;
+  const Rgb seen = throughput * (ratio * ratio);
+  result.radiance[look.layer] += seen * event.emission;
+  if (is_black(event.diffuse)) return;
+
+  const Rgb reflected = seen * event.diffuse * (1 / M_PI);
+  const DirectLight light = direct_light(scene_, intersector_, arrival.hit.point, event.facing_normal,
+                                         arrival.hit.back(), path_.draw, path_.light_samples);
+  result.shadow_rays += light.shadow_rays;
+  result.radiance[look.layer] += reflected * light.irradiance;
+  if (scene_.transport.indirect == Indirect::ambient) {
+    result.radiance[Layer::indirect_light] += reflected * scene_.transport.ambient;
+  }
+  if (scene_.plan.caustic) result.requests.push_back({{arrival.hit.point, event.facing_normal}, reflected});
+}
+
+void CameraTracer::meet(const Look& look, const Arrival& arrival, const Interaction& event, Rgb throughput) {
+  // The first specular event names the layer, total internal reflection anywhere overrides it.
+  const auto layer_after = [&](Layer first) { return look.layer == Layer::diffusion ? first : look.layer; };
+  if (event.transmit.exists) {
+    send(look, arrival, event.transmit, throughput * event.transmit.weight, layer_after(Layer::refraction), 0, 1);
+  }
+  if (event.reflect.exists) {
+    const Layer layer =
+        event.total_internal_reflection ? Layer::total_internal_reflection : layer_after(Layer::reflection);
+    send(look, arrival, event.reflect, throughput * event.reflect.weight, layer, 1, 0);
+  }
+}
+
+void CameraTracer::send(const Look& look, const Arrival& arrival, const Branch& branch, Rgb throughput, Layer layer,
+                        int reflections, int transmissions) {
+  if (!(largest_channel(throughput) >= kLeastCameraShare)) return;
+  if (look.reflections + reflections > scene_.transport.max_reflections) return;
+  if (look.transmissions + transmissions > scene_.transport.max_transmissions) return;
+  pending_.push_back({{arrival.hit.point, branch.direction},
+                      branch.departures,
+                      branch.media,
+                      throughput,
+                      look.band,
+                      look.band_chosen,
+                      look.reflections + reflections,
+                      look.transmissions + transmissions,
+                      layer});
+}
+
+}  // namespace vitrail

@@ -1,0 +1,71 @@
+#pragma once
+/// The camera side: follow a look through mirrors and glass, with the paper's weights [S eqs. 1, 2, 5].
+
+#include <vector>
+
+#include "material/surface.h"
+#include "photon/photon_map.h"
+#include "render/direct_light.h"
+#include "render/film.h"
+
+namespace vitrail {
+
+/// A branch below this share of the camera ray is not followed: in a glass ball or slab all that is cut stays below
+/// 1e-5 of the light behind it.
+inline constexpr double kLeastCameraShare = 1e-6;
+
+/// A surface that a camera path ended on, to be asked for the light that photons brought.
+struct GatherRequest {
+  GatherQuery query;
+  Rgb weight;  // radiance per irradiance found: throughput times d / pi
+  std::uint32_t pixel = 0;
+  std::uint8_t half = 0;
+  bool both_halves = false;  // one sample per pixel: the same look asks both maps
+};
+
+/// What one camera ray is made of besides its direction.
+struct CameraPath {
+  Ray ray;
+  MediumSet media;  // the solids the camera is in
+  LightDraw draw;   // random numbers of this sample
+  int light_samples = 1;
+};
+
+struct PathResult {
+  HalfPixel radiance;                   // without what is to be gathered
+  std::vector<GatherRequest> requests;  // pixel and half left to the caller
+  std::uint64_t rays = 0, shadow_rays = 0;
+};
+
+/// Follow every branch of a camera path to its end. Clears and refills `result`, which the caller keeps for its memory.
+class CameraTracer {
+ public:
+  CameraTracer(const Scene& scene, const Intersector& intersector);
+  void trace(const CameraPath& path, PathResult& result);
+
+ private:
+  /// A ray on its way, with what it will count for.
+  struct Look {
+    Ray ray;
+    Departures departures;
+    MediumSet media;
+    Rgb throughput;
+    std::uint32_t band = 0;
+    bool band_chosen = false;
+    int reflections = 0, transmissions = 0;
+    Layer layer = Layer::diffusion;
+  };
+  void meet(const Look& look, const Arrival& arrival, const Interaction& event, Rgb throughput);
+  void scatter(const Look& look, const Arrival& arrival, const Interaction& event, Rgb throughput, PathResult& result);
+  void send(const Look& look, const Arrival& arrival, const Branch& branch, Rgb throughput, Layer layer,
+            int reflections, int transmissions);
+
+  const Scene& scene_;
+  const Intersector& intersector_;
+  std::vector<bool> disperses_;  // by material: the index differs between bands
+  CameraPath path_;
+  double ior_at_camera_ = 1;
+  std::vector<Look> pending_;
+};
+
+}  // namespace vitrail
