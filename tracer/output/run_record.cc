@@ -1,0 +1,82 @@
+#include "output/run_record.h"
+
+#include <sys/resource.h>
+
+#include <cstdio>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "base/diagnostic.h"
+
+namespace vitrail {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json triplet(Rgb v) { return Json::array({v.r, v.g, v.b}); }
+
+Json settings_object(const Settings& settings) {
+  return {{"samples", settings.samples},
+          {"photons", settings.photons},
+          {"gather_radius_m", settings.gather_radius_m},
+          {"seed", settings.seed},
+          {"rough_samples", settings.rough_samples},
+          {"final_gather_rays", settings.final_gather_rays},
+          {"memory_limit_mb", settings.memory_limit_mb},
+          {"solver", settings.solver}};
+}
+
+Json ledger_object(const Ledger& ledger) {
+  return {{"emitted", triplet(ledger.emitted)},     {"stored", triplet(ledger.stored)},
+          {"absorbed", triplet(ledger.absorbed)},   {"escaped", triplet(ledger.escaped)},
+          {"truncated", triplet(ledger.truncated)}, {"closure", ledger.closure()}};
+}
+
+std::uint64_t peak_memory_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;  // Linux counts in kilobytes
+}
+
+}  // namespace
+
+std::string settings_json(const Settings& settings) { return settings_object(settings).dump(); }
+
+std::string run_record_json(const Scene& scene, const Rendering& rendering, const RunFacts& facts) {
+  const CpuSeconds& cpu = rendering.cpu_s;
+  const Counters& counters = rendering.counters;
+  const Json record = {{"vitrail_run", 1},
+                       {"engine", "tracer"},
+                       {"version", facts.version},
+                       {"scene_hash", scene.scene_hash},
+                       {"settings", settings_object(scene.settings)},
+                       {"threads", facts.threads},
+                       {"cpu_s",
+                        {{"total", facts.cpu_total_s},
+                         {"build", cpu.build},
+                         {"photon_pass", cpu.photon_pass},
+                         {"photon_sort", cpu.photon_sort},
+                         {"camera", cpu.camera},
+                         {"gather", cpu.gather}}},
+                       {"wall_s", facts.wall_s},
+                       {"peak_memory_bytes", peak_memory_bytes()},
+                       {"counters",
+                        {{"camera_rays", counters.camera_rays},
+                         {"shadow_rays", counters.shadow_rays},
+                         {"photons_emitted", counters.photons_emitted},
+                         {"photons_stored", counters.photons_stored},
+                         {"gather_queries", counters.gather_queries}}},
+                       {"ledger", ledger_object(rendering.ledger)},
+                       {"warnings", rendering.warnings},
+                       {"interrupted", rendering.interrupted}};
+  return record.dump(2) + "\n";
+}
+
+void write_text(const std::string& path, const std::string& text) {
+  std::ofstream file(path, std::ios::binary | std::ios::trunc);
+  file << text;
+  file.close();
+  if (!file) throw InputError({{path, "cannot be written", "choose a folder that can be written"}});
+}
+
+}  // namespace vitrail
