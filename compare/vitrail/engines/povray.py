@@ -1,46 +1,36 @@
-"""POV-Ray as an engine: every run of a lowered scene inside walls, its images added up, its statistics checked."""
+"""POV-Ray as an engine: every run of a lowered scene inside walls, its statistics checked, its images added up."""
 
 from __future__ import annotations
 
-import json
-import math
 import os
 import shutil
 import tempfile
 import time
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
 from vitrail.engines.base import EngineFailure, Progress, Rendering, silent
 from vitrail.engines.child import Finished, Limits, run_child
 from vitrail.engines.isolate import Allowance, isolate
-from vitrail.engines.povray_output import Statistics, complaint_of, progress_of, statistics_of, version_of
-from vitrail.images.exr import ImageError, read_image, write_image
-from vitrail.lower.canonical_json import canonical_json
+from vitrail.engines.photon_file import PhotonFileError, fluxes_of, order_photon_file
+from vitrail.engines.povray_output import complaint_of, progress_of, statistics_of, version_of
+from vitrail.engines.povray_result import Execution, Outcome, PhotonCensus, write_result
+from vitrail.images.exr import ImageError, read_image
 from vitrail.lower.povray import PovrayRun, PovrayScene
+from vitrail.lower.povray.photons import PHOTON_FILE
 
 OLDEST = (3, 7)
 TIMEOUT_S = 3600.0
+EXTRA_MEMORY_BYTES = 1 << 30
+"""Address space beyond the memory limit: the program itself, its libraries and its reserved stacks."""
 INSTALL = "install POV-Ray 3.7, on Debian with `apt-get install povray`"
-
-
-@dataclass(frozen=True)
-class _Outcome:
-    """One finished run: its image (height, width, 3), what POV-Ray counted, and what it used."""
-
-    run: PovrayRun
-    image: np.ndarray
-    statistics: Statistics
-    finished: Finished
-    walls: tuple[str, ...]
+DEFECT = "this is a defect of the translation or of POV-Ray; its words follow"
 
 
 class Povray:
-    """POV-Ray as an engine. ``program`` is a name or a path; ``timeout_s`` is for one run."""
+    """POV-Ray as an engine. ``program`` is a name or a path; ``timeout_s`` is for one execution."""
 
     name = "povray"
 
@@ -64,18 +54,15 @@ class Povray:
             isolated = isolate(self.program, ["--version"], Path(folder), Allowance(cpu_s=60))
             finished = run_child(isolated.command, limits=Limits(wall_s=min(60.0, self._timeout_s)))
         said = finished.stdout + finished.said
-        found = version_of(said)
-        if finished.timed_out or found is None:
-            what = (
-                "it does not say its version"
-                if not finished.timed_out
-                else f"asked for its version, it {finished.ending()}"
-            )
-            raise EngineFailure(self.name, what, INSTALL, complaint_of(said))
-        if found[:2] < OLDEST:
+        if finished.timed_out:
             raise EngineFailure(
-                self.name, f"version {found[2]} is older than 3.7", INSTALL, said.strip().splitlines()[0]
+                self.name, f"asked for its version, it {finished.ending()}", INSTALL, complaint_of(said)
             )
+        found = version_of(said)
+        if found is None:
+            raise EngineFailure(self.name, "it does not say its version", INSTALL, complaint_of(said))
+        if found[:2] < OLDEST:
+            raise EngineFailure(self.name, f"version {found[2]} is older than 3.7", INSTALL, complaint_of(said))
         self._version = found[2]
         return self._version
 
@@ -91,42 +78,70 @@ class Povray:
         at_once = min(threads or os.cpu_count() or 1, len(lowered.runs))
         shown = _SharedProgress(progress, lowered)
         with ThreadPoolExecutor(at_once) as pool:
-            outcomes = list(pool.map(lambda run: self._run(run, lowered, shown), lowered.runs))
-        out_dir.mkdir(parents=True, exist_ok=True)
-        record = _record(version, lowered, outcomes, at_once, time.monotonic() - started)
-        for run in lowered.runs:
-            _write_text(out_dir / "povray" / f"{run.name}.pov", run.sdl)
-        image = _write_image(out_dir / "povray.exr", lowered, outcomes, version)
-        _write_text(out_dir / "povray.run.json", canonical_json(record))
-        return Rendering(image, record)
+            try:
+                outcomes = list(pool.map(lambda run: self._run(run, lowered, shown), lowered.runs))
+            except BaseException:
+                # Let no other run go on for a result that nobody will see.
+                shown.cancel()
+                pool.shutdown(cancel_futures=True)
+                raise
+        return write_result(out_dir, lowered, outcomes, version, at_once, time.monotonic() - started)
 
-    def _run(self, run: PovrayRun, lowered: PovrayScene, shown: _SharedProgress) -> _Outcome:
-        """One execution in a fresh folder."""
+    def _run(self, run: PovrayRun, lowered: PovrayScene, shown: _SharedProgress) -> Outcome:
+        """One run in a fresh folder: shoot photons and put their map in order, then render with it."""
         with tempfile.TemporaryDirectory(prefix="vitrail-povray-") as name:
             folder = Path(name)
-            (folder / "scene.pov").write_text(run.sdl, encoding="ascii")
-            memory = int(lowered.settings.memory_limit_mb) << 20
-            isolated = isolate(self.program, _arguments(run), folder, Allowance(memory_bytes=memory + (1 << 30)))
-            limits = Limits(wall_s=self._timeout_s)
-            # Keep what POV-Ray says as it comes: statistics and complaints are read from it afterwards.
-            said: list[str] = []
-            finished = run_child(isolated.command, limits=limits, on_line=lambda line: shown.hear(run.name, line, said))
-            output = "\n".join(said)
-            if finished.interrupted:
-                raise KeyboardInterrupt
-            self._check_ending(finished, output)
-            image = self._image(folder / "image.exr", run, output)
-        statistics = statistics_of(output)
-        self._check_statistics(run, statistics, output)
-        return _Outcome(run, image, statistics, finished, isolated.walls)
+            census = None
+            if run.photon_sdl is not None:
+                shot = self._execute(run.photon_sdl, 1, 1, folder, lowered, shown, run.name)
+                census = self._census(shot, folder / PHOTON_FILE)
+            done = self._execute(run.sdl, run.width, run.height, folder, lowered, shown, run.name)
+            image = self._image(folder / "image.exr", run, done.output)
+        self._check_depth(run, done)
+        return Outcome(run, image, done, census)
+
+    def _execute(
+        self, sdl: str, width: int, height: int, folder: Path, lowered: PovrayScene, shown: _SharedProgress, run: str
+    ) -> Execution:
+        """Start POV-Ray once; raises EngineFailure unless it ends well."""
+        (folder / "scene.pov").write_text(sdl, encoding="ascii")
+        memory = (int(lowered.settings.memory_limit_mb) << 20) + EXTRA_MEMORY_BYTES
+        # One thread, no antialiasing of its own, linear half-float output.
+        words = ["+Iscene.pov", "+Oimage.exr", f"+W{width}", f"+H{height}", "+FE", "-D", "-A", "+WT1"]
+        isolated = isolate(self.program, words, folder, Allowance(memory_bytes=memory))
+        said: list[str] = []
+        finished = run_child(
+            isolated.command, limits=Limits(wall_s=self._timeout_s), on_line=lambda line: shown.hear(run, line, said)
+        )
+        output = "\n".join(said)
+        self._check_ending(finished, output)
+        return Execution(finished, output, statistics_of(output), isolated.walls)
 
     def _check_ending(self, finished: Finished, output: str) -> None:
         if finished.timed_out:
             remedy = "lower the number of photons or samples, or raise the time limit"
             raise EngineFailure(self.name, f"it {finished.ending()}", remedy, complaint_of(output))
         if finished.code != 0:
-            remedy = "this is a defect of the translation or of POV-Ray; its words follow"
-            raise EngineFailure(self.name, f"it {finished.ending()}", remedy, complaint_of(output))
+            raise EngineFailure(self.name, f"it {finished.ending()}", DEFECT, complaint_of(output))
+
+    def _census(self, shot: Execution, path: Path) -> PhotonCensus:
+        """Order the photon map and count it. An empty one gives a plausible, wrong picture [P 12.2]: raises then."""
+        if not path.is_file():
+            remedy = "check that light reaches the glass and a surface behind it; its words follow"
+            what = (
+                f"it shot {shot.statistics.photons_shot} photons and saved none, so the picture would have no caustic"
+            )
+            raise EngineFailure(self.name, what, remedy, complaint_of(shot.output))
+        started = time.thread_time()
+        try:
+            photons = order_photon_file(path)
+        except PhotonFileError as error:
+            raise EngineFailure(self.name, str(error), DEFECT, complaint_of(shot.output)) from None
+        fluxes = fluxes_of(photons)
+        if not fluxes.any():
+            what = f"it stored {len(photons)} photons without any light, so the picture would have no caustic"
+            raise EngineFailure(self.name, what, "check that light reaches the glass and a surface behind it")
+        return PhotonCensus(shot, len(photons), fluxes.sum(axis=0), time.thread_time() - started)
 
     def _image(self, path: Path, run: PovrayRun, output: str) -> np.ndarray:
         """The run's image, (height, width, 3); raises EngineFailure when it is missing or not what was asked for."""
@@ -136,34 +151,41 @@ class Povray:
         try:
             image = read_image(path).radiance
         except ImageError as error:
-            raise EngineFailure(
-                self.name, f"its image cannot be read ({error})", remedy, complaint_of(output)
-            ) from None
+            what = f"its image cannot be read ({error})"
+            raise EngineFailure(self.name, what, remedy, complaint_of(output)) from None
         if image.shape != (run.height, run.width, 3):
             what = f"it wrote {image.shape[1]} x {image.shape[0]} pixels instead of {run.width} x {run.height}"
-            raise EngineFailure(self.name, what, remedy, complaint_of(output))
+            raise EngineFailure(self.name, what, DEFECT, complaint_of(output))
         return image
 
-    def _check_statistics(self, run: PovrayRun, statistics: Statistics, output: str) -> None:
-        """An empty photon map gives a plausible, wrong picture [P 12.2], and so does a path cut short."""
-        if run.expects_photons and statistics.photons_stored == 0:
-            what = f"it shot {statistics.photons_shot} photons and stored none, so the picture has no caustic"
-            raise EngineFailure(self.name, what, "check that light reaches the glass and a surface behind it")
+    def _check_depth(self, run: PovrayRun, done: Execution) -> None:
+        """A path cut short is black without a word [P 4.3]."""
+        statistics = done.statistics
         if run.depth_is_proven and statistics.deepest_level >= statistics.level_limit > 0:
             what = f"rays reached the limit of {statistics.level_limit} levels, which the plan proves unreachable"
             raise EngineFailure(self.name, what, "this is a defect of the plan; report the scene")
 
 
+class _Cancelled(Exception):
+    """Another run has failed, or somebody pressed Ctrl-C."""
+
+
 class _SharedProgress:
-    """Adds the progress of runs that go on together."""
+    """Adds the progress of runs that go on together, and ends them together."""
 
     def __init__(self, progress: Progress, lowered: PovrayScene) -> None:
         self._progress = progress
         self._total = float(sum(run.width * run.height for run in lowered.runs))
         self._done: dict[str, int] = {}
+        self._is_cancelled = False
+
+    def cancel(self) -> None:
+        self._is_cancelled = True
 
     def hear(self, run: str, line: str, said: list[str]) -> bool:
-        """Use every line: progress moves the bar, the rest is kept."""
+        """Use every line: progress moves the bar, the rest is kept. Raises _Cancelled to end the program."""
+        if self._is_cancelled:
+            raise _Cancelled
         found = progress_of(line)
         if found is None:
             said.append(line)
@@ -171,122 +193,3 @@ class _SharedProgress:
             self._done[run] = found[0]
             self._progress("povray", float(sum(self._done.values())), self._total)
         return True
-
-
-def _arguments(run: PovrayRun) -> list[str]:
-    """One thread, no antialiasing of its own, linear half-float output."""
-    return ["+Iscene.pov", "+Oimage.exr", f"+W{run.width}", f"+H{run.height}", "+FE", "-D", "-A", "+WT1"]
-
-
-def _averaged(outcome: _Outcome) -> np.ndarray:
-    """The run's image at the scene's size, times its gain."""
-    across = outcome.run.samples_across
-    height, width = outcome.image.shape[0] // across, outcome.image.shape[1] // across
-    blocks = outcome.image.reshape(height, across, width, across, 3).mean(axis=(1, 3))
-    return blocks * np.array(outcome.run.gain)
-
-
-def _write_image(path: Path, lowered: PovrayScene, outcomes: list[_Outcome], version: str) -> Path:
-    """Both halves, their mean and the variance of the mean, (a - b)^2 / 4."""
-    halves = {
-        half: sum(_averaged(outcome) for outcome in outcomes if outcome.run.half == half)
-        for half in dict.fromkeys(outcome.run.half for outcome in outcomes)
-    }
-    a, b = (np.asarray(half) for half in halves.values())
-    metadata = {
-        "vitrail:scene_hash": lowered.scene_hash,
-        "vitrail:engine": f"POV-Ray {version}",
-        "vitrail:settings": json.dumps(_settings(lowered, outcomes), sort_keys=True),
-    }
-    partial = path.with_name(f".{path.name}.partial.exr")
-    write_image(partial, (a + b) / 2, half_a=a, half_b=b, variance=(a - b) ** 2 / 4, metadata=metadata)
-    os.replace(partial, path)
-    return path
-
-
-def _settings(lowered: PovrayScene, outcomes: list[_Outcome]) -> dict[str, Any]:
-    """The settings asked for, and what became of them."""
-    photons = lowered.photons
-    across = lowered.runs[0].samples_across
-    return {
-        **asdict(lowered.settings),
-        "mode": lowered.mode.name,
-        "mode_reason": lowered.mode.reason,
-        "samples_used": across**2 * len({run.half for run in lowered.runs}),
-        "photons_used": sum(outcome.statistics.photons_shot for outcome in outcomes),
-        "gather_radius_units": photons.gather_radius if photons else 0.0,
-        "units_per_metre": lowered.normalisation.scale,
-        "centre_m": list(lowered.normalisation.centre),
-        "max_trace_level": lowered.runs[0].max_trace_level,
-    }
-
-
-def _record(
-    version: str, lowered: PovrayScene, outcomes: list[_Outcome], threads: int, wall_s: float
-) -> dict[str, Any]:
-    """The run record of the contract, both engines alike."""
-
-    def total(name: str) -> int:
-        return sum(getattr(outcome.statistics, name) for outcome in outcomes)
-
-    def cpu(phase: str) -> float:
-        return math.fsum(outcome.statistics.cpu_s[phase] for outcome in outcomes)
-
-    return {
-        "vitrail_run": 1,
-        "engine": "povray",
-        "version": version,
-        "scene_hash": lowered.scene_hash,
-        "settings": _settings(lowered, outcomes),
-        "threads": threads,
-        "cpu_s": {
-            "total": math.fsum(outcome.finished.cpu_s for outcome in outcomes),
-            "build": cpu("parse") + cpu("bounding"),
-            "photon_pass": cpu("photon"),
-            "photon_sort": 0.0,
-            "camera": cpu("trace"),
-            "gather": 0.0,
-        },
-        "wall_s": wall_s,
-        "peak_memory_bytes": max(outcome.finished.peak_memory_bytes for outcome in outcomes),
-        "counters": {
-            "camera_rays": total("rays"),
-            "shadow_rays": total("shadow_tests"),
-            "photons_emitted": total("photons_shot"),
-            "photons_stored": total("photons_stored"),
-            "gather_queries": total("gather_calls"),
-        },
-        "certificate": lowered.certificate.as_records(),
-        "isolation": list(outcomes[0].walls),
-        "runs": [_run_record(outcome) for outcome in outcomes],
-        "warnings": _warnings(outcomes),
-        "interrupted": False,
-    }
-
-
-def _run_record(outcome: _Outcome) -> dict[str, Any]:
-    return {
-        "name": outcome.run.name,
-        "gain": list(outcome.run.gain),
-        "statistics": asdict(outcome.statistics),
-        "cpu_s": outcome.finished.cpu_s,
-        "wall_s": outcome.finished.wall_s,
-    }
-
-
-def _warnings(outcomes: list[_Outcome]) -> list[str]:
-    """Rays that met the limits of depth, where the scene itself sets them."""
-    cut = [outcome for outcome in outcomes if outcome.statistics.deepest_level >= outcome.statistics.level_limit > 0]
-    if not cut:
-        return []
-    return [
-        f"camera rays reached the scene's limit of {cut[0].statistics.level_limit} levels; what lies deeper is black"
-    ]
-
-
-def _write_text(path: Path, text: str) -> None:
-    """Whole or not at all."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    partial = path.with_name(f".{path.name}.partial")
-    partial.write_text(text, encoding="utf-8")
-    os.replace(partial, path)

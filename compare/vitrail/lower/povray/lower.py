@@ -26,7 +26,7 @@ from vitrail.lower.povray.shapes import primitive
 from vitrail.lower.povray.support import refuse_unsupported
 from vitrail.plan.budget import Settings
 from vitrail.plan.plan import Plan
-from vitrail.scene.hash import scene_hash
+from vitrail.scene.print import scene_hash
 from vitrail.scene.load import Loaded
 from vitrail.scene.model import Ambient, Material, Object, Scene
 from vitrail.scene.phenomenon import Phenomenon
@@ -41,17 +41,18 @@ class PovrayRun:
     """One execution of POV-Ray: scene text, image size, and how its image counts.
 
     The radiance of a half image is the sum over its runs of ``gain`` times the image, averaged over blocks of
-    ``samples_across`` x ``samples_across`` pixels.
+    ``samples_across`` x ``samples_across`` pixels. Where there are photons, ``photon_sdl`` shoots and saves them, and
+    ``sdl`` loads them.
     """
 
     name: str
     half: str
     sdl: str
+    photon_sdl: str | None
     width: int
     height: int
     samples_across: int
     gain: Triplet
-    expects_photons: bool
     max_trace_level: int
     depth_is_proven: bool
 
@@ -117,17 +118,18 @@ def _runs(parts: _Parts, mode: Mode, settings: Settings) -> list[PovrayRun]:
             exposure = Exposure(channel)
             factor = light_factor(parts.scene, parts.lights, parts.photons, exposure, parts.units)
             exposure = replace(exposure, light_factor=factor)
+            shoots = parts.photons is not None and has_light(parts.lights, exposure)
             name = half if channel is None else f"{half}_{('red', 'green', 'blue')[channel]}"
             found.append(
                 PovrayRun(
                     name=name,
                     half=half,
-                    sdl=_scene_sdl(parts, half, exposure, across),
+                    sdl=_scene_sdl(parts, half, exposure, across, "load_file" if shoots else ""),
+                    photon_sdl=_scene_sdl(parts, half, exposure, across, "save_file") if shoots else None,
                     width=image.width * across,
                     height=image.height * across,
                     samples_across=across,
                     gain=exposure.gain,
-                    expects_photons=parts.photons is not None and exposure_has_light(parts.lights, exposure),
                     max_trace_level=parts.depth.level,
                     depth_is_proven=parts.depth.is_proven,
                 )
@@ -135,17 +137,17 @@ def _runs(parts: _Parts, mode: Mode, settings: Settings) -> list[PovrayRun]:
     return found
 
 
-def exposure_has_light(lights: Sequence[Source], exposure: Exposure) -> bool:
+def has_light(lights: Sequence[Source], exposure: Exposure) -> bool:
     """Whether any light shines in the channel of a run."""
     return any(max(exposure.share(source.strength)) > 0 for source in lights)
 
 
-def _scene_sdl(parts: _Parts, half: str, exposure: Exposure, samples_across: int) -> str:
-    """The whole scene text of one run."""
+def _scene_sdl(parts: _Parts, half: str, exposure: Exposure, samples_across: int, photon_file: str) -> str:
+    """The whole scene text of one run; without ``photon_file`` there are no photons in it."""
     scene = parts.scene
     lines = [
         "#version 3.7;",
-        _globals(parts, half, exposure),
+        _globals(parts, half, exposure, photon_file),
         "#default { finish { ambient 0 emission 0 diffuse 0 } }",
         "background { rgb 0 }",
         camera_sdl(scene.camera, scene.image, samples_across, HALF_SHIFTS[half], parts.units),
@@ -155,7 +157,7 @@ def _scene_sdl(parts: _Parts, half: str, exposure: Exposure, samples_across: int
     return "\n".join(lines) + "\n"
 
 
-def _globals(parts: _Parts, half: str, exposure: Exposure) -> str:
+def _globals(parts: _Parts, half: str, exposure: Exposure, photon_file: str) -> str:
     return block(
         "global_settings",
         [
@@ -163,7 +165,7 @@ def _globals(parts: _Parts, half: str, exposure: Exposure) -> str:
             f"max_trace_level {parts.depth.level}",
             f"adc_bailout {number(ADC_BAILOUT)}",
             _ambient(parts.scene, exposure),
-            parts.photons.sdl(half) if parts.photons is not None else "",
+            parts.photons.sdl(half, photon_file) if parts.photons is not None and photon_file else "",
         ],
     )
 

@@ -6,7 +6,8 @@ second half image needs another pattern of photons: its spacing is smaller by sq
 mantissa 181 / 256, which is exact too.
 
 The kernel is the flat disc of fixed radius that the tracer uses: ``radius R`` with ``gather 0, many``, which neither
-shrinks to the nearest photons nor grows where there are few [P 2.3].
+shrinks to the nearest photons nor grows where there are few [P 2.3]. Photons are shot in one execution, which saves
+them, and used in a second one, because the engine must order POV-Ray's search tree in between.
 """
 
 from __future__ import annotations
@@ -35,6 +36,8 @@ ABOVE_THE_STEP = 1 + 2e-6
 """Lifts a flux over its truncation step by more than single precision may lower it."""
 JITTER = 0.4
 """POV-Ray's default: each photon moves by up to a fifth of a cell."""
+PHOTON_FILE = "photons.map"
+"""The saved map, in the folder of the run; the only file name in a scene text, and ours."""
 MOST_GATHERED = 1 << 20
 """Photons in one disc before POV-Ray would shrink it; far more than any disc of the supported budgets holds."""
 
@@ -47,7 +50,8 @@ class PhotonPass:
     gather_radius: float
     expected_shot: float
 
-    def sdl(self, half: str) -> str:
+    def sdl(self, half: str, file: str) -> str:
+        """The photons block of one half; ``file`` is what happens to the map: ``save_file`` or ``load_file``."""
         return block(
             "photons",
             [
@@ -57,6 +61,7 @@ class PhotonPass:
                 "expand_thresholds 0, 0",
                 f"jitter {number(JITTER)}",
                 "autostop 1",
+                f'{file} "{PHOTON_FILE}"',
             ],
         )
 

@@ -1,0 +1,192 @@
+"""From the runs of POV-Ray to one layered image and one run record."""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from vitrail.engines.base import Rendering
+from vitrail.engines.child import Finished
+from vitrail.engines.povray_output import Statistics
+from vitrail.images.exr import write_image
+from vitrail.lower.canonical_json import canonical_json
+from vitrail.lower.povray import PovrayRun, PovrayScene
+
+
+@dataclass(frozen=True)
+class Execution:
+    """POV-Ray started and ended once."""
+
+    finished: Finished
+    output: str
+    statistics: Statistics
+    walls: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class PhotonCensus:
+    """The execution that shot the photons of a run, how many it stored, their flux, and our time to order them."""
+
+    shot: Execution
+    stored: int
+    flux: np.ndarray
+    order_cpu_s: float
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """One finished run with its image (height, width, 3)."""
+
+    run: PovrayRun
+    image: np.ndarray
+    done: Execution
+    census: PhotonCensus | None
+
+    @property
+    def executions(self) -> list[Execution]:
+        return [self.census.shot, self.done] if self.census else [self.done]
+
+
+def write_result(
+    out_dir: Path, lowered: PovrayScene, outcomes: list[Outcome], version: str, threads: int, wall_s: float
+) -> Rendering:
+    """Write the scene texts, the image and the record, in this order, each whole or not at all."""
+    out_dir.mkdir(parents=True, exist_ok=True)
+    record = _record(version, lowered, outcomes, threads, wall_s)
+    for run in lowered.runs:
+        _write_text(out_dir / "povray" / f"{run.name}.pov", run.sdl)
+        if run.photon_sdl is not None:
+            _write_text(out_dir / "povray" / f"{run.name}_photons.pov", run.photon_sdl)
+    image = _write_image(out_dir / "povray.exr", lowered, outcomes, version)
+    _write_text(out_dir / "povray.run.json", canonical_json(record))
+    return Rendering(image, record)
+
+
+def half_images(outcomes: list[Outcome]) -> dict[str, np.ndarray]:
+    """The radiance of each half: the sum of its runs, each averaged over its samples and times its gain."""
+    found: dict[str, np.ndarray] = {}
+    for outcome in outcomes:
+        across = outcome.run.samples_across
+        height, width = outcome.image.shape[0] // across, outcome.image.shape[1] // across
+        averaged = outcome.image.reshape(height, across, width, across, 3).mean(axis=(1, 3))
+        part = averaged * np.array(outcome.run.gain)
+        found[outcome.run.half] = found[outcome.run.half] + part if outcome.run.half in found else part
+    return found
+
+
+def _write_image(path: Path, lowered: PovrayScene, outcomes: list[Outcome], version: str) -> Path:
+    """Both halves, their mean, and the variance of the mean, (a - b)^2 / 4."""
+    a, b = half_images(outcomes).values()
+    metadata = {
+        "vitrail:scene_hash": lowered.scene_hash,
+        "vitrail:engine": f"POV-Ray {version}",
+        "vitrail:settings": json.dumps(_settings(lowered, outcomes), sort_keys=True),
+    }
+    partial = path.with_name(f".{path.name}.partial.exr")
+    write_image(partial, (a + b) / 2, half_a=a, half_b=b, variance=(a - b) ** 2 / 4, metadata=metadata)
+    os.replace(partial, path)
+    return path
+
+
+def _settings(lowered: PovrayScene, outcomes: list[Outcome]) -> dict[str, Any]:
+    """The settings asked for, and what became of them."""
+    photons, units = lowered.photons, lowered.normalisation
+    across = lowered.runs[0].samples_across
+    halves = len({run.half for run in lowered.runs})
+    return {
+        **asdict(lowered.settings),
+        "mode": lowered.mode.name,
+        "mode_reason": lowered.mode.reason,
+        "samples_used": across**2 * halves,
+        "photons_used": sum(each.census.shot.statistics.photons_shot for each in outcomes if each.census),
+        "spacing_m": {half: spacing / units.scale for half, spacing in photons.spacing.items()} if photons else {},
+        "units_per_metre": units.scale,
+        "centre_m": list(units.centre),
+        "max_trace_level": lowered.runs[0].max_trace_level,
+    }
+
+
+def _record(version: str, lowered: PovrayScene, outcomes: list[Outcome], threads: int, wall_s: float) -> dict[str, Any]:
+    """The run record of both engines, with what only POV-Ray has in ``runs``, ``certificate`` and ``isolation``."""
+    executions = [execution for outcome in outcomes for execution in outcome.executions]
+    rendered = [outcome.done for outcome in outcomes]
+    shot = [outcome.census.shot for outcome in outcomes if outcome.census]
+
+    def cpu(phase: str, where: list[Execution]) -> float:
+        return math.fsum(execution.statistics.cpu_s[phase] for execution in where)
+
+    def count(name: str, where: list[Execution]) -> int:
+        return sum(getattr(execution.statistics, name) for execution in where)
+
+    return {
+        "vitrail_run": 1,
+        "engine": "povray",
+        "version": version,
+        "scene_hash": lowered.scene_hash,
+        "settings": _settings(lowered, outcomes),
+        "threads": threads,
+        "cpu_s": {
+            "total": math.fsum(execution.finished.cpu_s for execution in executions),
+            "build": cpu("parse", executions) + cpu("bounding", executions),
+            # POV-Ray times shooting and its own sorting together.
+            "photon_pass": cpu("photon", shot),
+            "photon_sort": 0.0,
+            "photon_order": math.fsum(outcome.census.order_cpu_s for outcome in outcomes if outcome.census),
+            # It gathers while it traces.
+            "camera": cpu("trace", rendered),
+            "gather": 0.0,
+        },
+        "wall_s": wall_s,
+        "peak_memory_bytes": max(execution.finished.peak_memory_bytes for execution in executions),
+        "counters": {
+            "camera_rays": count("rays", rendered),
+            "shadow_rays": count("shadow_tests", rendered),
+            "photons_emitted": count("photons_shot", shot),
+            "photons_stored": sum(outcome.census.stored for outcome in outcomes if outcome.census),
+            "gather_queries": count("gather_calls", rendered),
+        },
+        "certificate": lowered.certificate.as_records(),
+        "isolation": list(executions[0].walls),
+        "runs": [_run_record(outcome) for outcome in outcomes],
+        "warnings": _warnings(outcomes),
+        "interrupted": False,
+    }
+
+
+def _run_record(outcome: Outcome) -> dict[str, Any]:
+    census = outcome.census
+    return {
+        "name": outcome.run.name,
+        "gain": list(outcome.run.gain),
+        "statistics": asdict(outcome.done.statistics),
+        "photons": None
+        if census is None
+        else {
+            "statistics": asdict(census.shot.statistics),
+            "stored": census.stored,
+            "flux_units": [float(value) for value in census.flux],
+        },
+    }
+
+
+def _warnings(outcomes: list[Outcome]) -> list[str]:
+    """Rays that met the limit of depth, where the scene itself sets it."""
+    limits = {
+        outcome.done.statistics.level_limit
+        for outcome in outcomes
+        if outcome.done.statistics.deepest_level >= outcome.done.statistics.level_limit > 0
+    }
+    return [f"camera rays reached the scene's limit of {limit} levels; what lies deeper is black" for limit in limits]
+
+
+def _write_text(path: Path, text: str) -> None:
+    path.parent.mkdir(parents=True, exist_ok=True)
+    partial = path.with_name(f".{path.name}.partial")
+    partial.write_text(text, encoding="utf-8")
+    os.replace(partial, path)
