@@ -8,7 +8,6 @@ namespace vitrail {
 inline constexpr int kExitOk = 0, kExitBadInput = 2, kExitInterrupted = 130;
 
 void add_render_command(CLI::App& app, int& exit_code);
-void add_benchmark_command(CLI::App& app, int& exit_code);
 void add_trace_command(CLI::App& app, int& exit_code);
 void add_validate_command(CLI::App& app, int& exit_code);
 
