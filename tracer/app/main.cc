@@ -13,7 +13,6 @@ int main(int argc, char** argv) {
   vitrail::add_render_command(app, exit_code);
   vitrail::add_trace_command(app, exit_code);
   vitrail::add_validate_command(app, exit_code);
-  vitrail::add_benchmark_command(app, exit_code);
   app.add_subcommand("version", "Print the version")->callback([] { std::puts("vitrail-tracer " VITRAIL_VERSION); });
 
   // Wrong input and wrong options end alike: a message that names the place, and exit code 2.
