@@ -4,17 +4,13 @@ from __future__ import annotations
 
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import typer
 
-from vitrail.commands.exit_code import exit_codes, usage_error
+from vitrail.commands.comparison_options import defect_named, load_all, overrides_of, reference_errors, watching
+from vitrail.commands.exit_code import exit_codes
 from vitrail.commands.output import print_json
 from vitrail.commands.settings_options import QUALITY, SETTINGS
-
-if TYPE_CHECKING:
-    from vitrail.scene.load import Loaded
-    from vitrail.study.compare.request import Defect
 
 
 def compare(
@@ -29,7 +25,7 @@ def compare(
     as_json: bool = typer.Option(False, "--json", help="Print results.json instead of the table."),
 ) -> None:
     """Load, plan, lower, render, measure, judge, report."""
-    with exit_codes():
+    with exit_codes(), reference_errors():
         from vitrail.commands.verdict_table import print_results
         from vitrail.report.build import build_report
         from vitrail.study.compare.request import Request
@@ -38,8 +34,8 @@ def compare(
         loaded = load_all(scenes)
         request = Request(
             out=out,
-            quality=checked_quality(quality),  # type: ignore[arg-type]
-            overrides=checked_settings(loaded, quality, settings),
+            overrides=overrides_of(loaded, quality, settings),
+            quality=quality,  # type: ignore[arg-type]
             threads=threads,
             jobs=jobs,
             references=references,
@@ -49,5 +45,8 @@ def compare(
         with watching(len(loaded)) as watch:
             results = compare_scenes(loaded, request, watch)
         page = build_report(out)
-        print_json(results.model_dump(mode="json")) if as_json else print_results(results, page)
+        if as_json:
+            print_json(results.model_dump(mode="json"))
+        else:
+            print_results(results, page)
     raise typer.Exit(results.exit_code)

@@ -145,12 +145,16 @@ class PatchRecord(Record):
 
 
 class ObservationResult(Record):
-    """One phenomenon on one patch: everything that was measured and what it came to."""
+    """One phenomenon on one patch: everything that was measured and what it came to.
+
+    ``unmeasured`` says which numbers could not be had and why; with any of them the verdict is not ``agrees``.
+    """
 
     name: str
     phenomenon: Phenomenon
     patch: PatchRecord
     comparisons: tuple[Comparison, ...]
     profiles: tuple[Profile, ...] = ()
+    unmeasured: tuple[str, ...] = ()
     verdict: Verdict
     attribution: Attribution | None = None

@@ -1,0 +1,75 @@
+"""What a person reads in the terminal after a comparison: one line a scene, then what went wrong and where to look."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from rich.console import Console
+from rich.markup import escape
+from rich.table import Table
+
+if TYPE_CHECKING:
+    from vitrail.judge.comparison import Comparison, ObservationResult
+    from vitrail.judge.records import Results, SceneResult
+
+COLOURS = {"agrees": "green", "deviates": "red", "inconclusive": "yellow"}
+
+
+def print_results(results: Results, page: Path | None) -> None:
+    """The table of scenes, the comparisons that need attention, and the report's place."""
+    console = Console(soft_wrap=True)
+    console.print(_table(results))
+    for scene in results.scenes:
+        for line in attention(scene):
+            console.print(line)
+    shared = results.false_alarms
+    console.print(
+        f"{shared.comparisons} comparisons; a clean run alarms in at most {100 * shared.suite_rate:g} % of cases"
+    )
+    if page is not None:
+        console.print(f"report: {page}")
+
+
+def attention(scene: SceneResult) -> list[str]:
+    """What, by how much, and the line to make it again; empty for a scene that agrees."""
+    lines = [f"[red]{escape(scene.name)}[/]: {escape(scene.message)}"] if scene.message else []
+    for observation in scene.observations:
+        if observation.verdict.value == "agrees":
+            continue
+        for comparison in observation.comparisons:
+            if comparison.verdict is observation.verdict:
+                lines.append(_finding(scene, observation, comparison))
+        lines += [f"  not measured: {escape(reason)}" for reason in observation.unmeasured]
+    if lines and scene.reproduce:
+        lines.append(f"  again: {escape(scene.reproduce)}")
+    return lines
+
+
+def _finding(scene: SceneResult, observation: ObservationResult, comparison: Comparison) -> str:
+    colour = COLOURS[comparison.verdict.value]
+    interval = comparison.interval
+    head = f"[{colour}]{escape(scene.name)}.{escape(observation.name)}[/] {observation.phenomenon.value}"
+    body = (
+        f"{comparison.pair.value} {comparison.metric} {comparison.value:.5g} {comparison.unit}, should be "
+        f"{comparison.ideal:.5g} +- {comparison.tolerance:.3g}; difference in [{interval.low:.3g}, {interval.high:.3g}]"
+    )
+    cause = comparison.attribution
+    tail = f" ({cause.cause.value}{f': {cause.engine}' if cause.engine else ''})" if cause else ""
+    more = f"; {comparison.sample_factor:.2g} times the samples would decide" if comparison.sample_factor else ""
+    return f"{head}: {escape(body)}{tail}{more}"
+
+
+def _table(results: Results) -> Table:
+    table = Table(title="Comparison", title_justify="left")
+    for column in ("scene", "verdict", "phenomena", "tracer CPU s", "POV-Ray CPU s"):
+        table.add_column(column, justify="right" if "CPU" in column else "left")
+    for scene in results.scenes:
+        word = scene.verdict.value if scene.verdict else scene.status.value
+        phenomena = ", ".join(
+            f"[{COLOURS[entry.verdict.value]}]{entry.phenomenon.value}[/]" for entry in scene.observations
+        )
+        seconds = {engine.engine: engine.cpu_s for engine in scene.engines}
+        cells = [f"{seconds[side]:.2f}" if seconds.get(side) is not None else "" for side in ("tracer", "povray")]
+        table.add_row(escape(scene.name), f"[{COLOURS.get(word, 'red')}]{word}[/]", phenomena, *cells)
+    return table

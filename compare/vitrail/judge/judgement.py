@@ -1,0 +1,60 @@
+"""Judge what was observed: every number with its tolerance at the run's level, every observation with its cause."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from vitrail.judge.attribution import attribute, headline
+from vitrail.judge.comparison import Comparison, ObservationResult, TolerancePart, Verdict
+from vitrail.judge.observe import Observed
+from vitrail.judge.references import Truth
+from vitrail.judge.thresholds import Rule, Thresholds
+from vitrail.judge.verdict import Measured, decide, overall
+from vitrail.scene.phenomenon import Phenomenon
+
+Residual = Callable[[Phenomenon], float]
+"""The certificate's relative bound for a phenomenon."""
+
+
+def judge_observation(
+    observed: Observed, thresholds: Thresholds, residual: Residual, level: float
+) -> ObservationResult:
+    """The verdict of one observation.
+
+    An observation that could not be measured in part is at best inconclusive: what is missing has not agreed.
+    """
+    phenomenon = observed.observation.phenomenon
+    comparisons = attribute(
+        [
+            _judge(entry, truth, observed, thresholds.rule(phenomenon, entry.metric), residual(phenomenon), level)
+            for entry, truth in zip(observed.measured, observed.truths, strict=True)
+        ]
+    )
+    verdict = overall(entry.verdict for entry in comparisons) or Verdict.INCONCLUSIVE
+    if observed.unmeasured and verdict is Verdict.AGREES:
+        verdict = Verdict.INCONCLUSIVE
+    return ObservationResult(
+        name=observed.observation.name,
+        phenomenon=phenomenon,
+        patch=observed.patch,
+        comparisons=comparisons,
+        profiles=observed.profiles,
+        unmeasured=observed.unmeasured,
+        verdict=verdict,
+        attribution=headline(comparisons, verdict),
+    )
+
+
+def _judge(
+    measured: Measured, truth: Truth | None, observed: Observed, rule: Rule, residual: float, level: float
+) -> Comparison:
+    """One number: its own threshold or its formula's tolerance, widened by the certificate where POV-Ray takes part."""
+    stated = truth.tolerance(measured.pair.candidate) if truth is not None else None
+    parts: Sequence[TolerancePart] = [stated or rule.part(measured.ideal, observed.half_edge_m)]
+    is_translated = "povray" in (measured.pair.candidate, measured.pair.reference)
+    widening = rule.widening(residual, measured.ideal, observed.half_edge_m) if is_translated else 0.0
+    if widening > 0:
+        phenomenon = observed.observation.phenomenon.value
+        reason = f"the certificate states {residual:.2g} for {phenomenon}"
+        parts = [*parts, TolerancePart(source="certificate", amount=widening, reason=reason)]
+    return decide(measured, parts, level)

@@ -1,0 +1,179 @@
+"""Measure every observation of a scene on every pair of images and against every known truth; judge nothing yet.
+
+The verdict waits, because the level of an interval depends on how many comparisons the whole run makes.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from vitrail.images.exr import ImageLayers
+from vitrail.images.patch import PatchGrid, PatchSamples, make_grid, sample_patch
+from vitrail.images.view import View
+from vitrail.judge.comparison import Pair, PatchRecord, Profile
+from vitrail.judge.plain import plain
+from vitrail.judge.profiles import profiles_of
+from vitrail.judge.references import SceneTruth, Truth
+from vitrail.judge.verdict import Measured, Noise
+from vitrail.metrics.by_phenomenon import measure_with_intervals
+from vitrail.metrics.measurement import Context, Measurement, MetricError
+from vitrail.scene.model import Observation, Scene
+
+UNSEEN = 0.5
+"""Below this share of a patch in the frame, its numbers are about something else than the scene says."""
+
+
+@dataclass(frozen=True)
+class Observed:
+    """One observation with its numbers; ``unmeasured`` says what no number could be had for."""
+
+    observation: Observation
+    patch: PatchRecord
+    half_edge_m: float
+    measured: tuple[Measured, ...]
+    truths: tuple[Truth | None, ...]
+    profiles: tuple[Profile, ...]
+    unmeasured: tuple[str, ...]
+
+
+class NothingToMeasure(Exception):
+    """A patch is outside the frame or empty; the message names the observation and the remedy."""
+
+
+def observe(
+    scene: Scene, images: Mapping[str, ImageLayers], pairs: Sequence[Pair], truth: SceneTruth, correlation_m: float
+) -> tuple[Observed, ...]:
+    """Everything the scene asks to be observed. ``images`` by side; ``correlation_m`` is the gather radius.
+
+    Raises NothingToMeasure for a patch that shows nothing.
+    """
+    return tuple(_observe(scene, entry, images, pairs, truth, correlation_m) for entry in scene.observe)
+
+
+def _observe(
+    scene: Scene,
+    observation: Observation,
+    images: Mapping[str, ImageLayers],
+    pairs: Sequence[Pair],
+    truth: SceneTruth,
+    correlation_m: float,
+) -> Observed:
+    """One observation: sample the patch of every image, compare every pair, hold every side against its truths."""
+    grid = make_grid(scene.camera, scene.image, observation.patch)
+    if grid.coverage.mean() < UNSEEN:
+        share = f"{100 * grid.coverage.mean():.0f} %"
+        raise NothingToMeasure(
+            f"{observation.name}: {share} of its patch is in the frame; move the patch or the camera"
+        )
+    samples = {side: _samples(scene, observation, image, grid) for side, image in images.items()}
+    context = _context(scene, observation, truth, correlation_m)
+    measured: list[Measured] = []
+    truths: list[Truth | None] = []
+    unmeasured: list[str] = []
+    for pair in pairs:
+        if pair.candidate in samples and pair.reference in samples:
+            found, silent = _compare(pair, observation, samples, context)
+            measured += found
+            truths += [None] * len(found)
+            unmeasured += silent
+        elif pair.candidate in samples and pair.reference == "truth":
+            for entry in truth.of(observation.name):
+                found, silent = _against(pair, entry, observation, samples[pair.candidate], context)
+                measured += found
+                truths += [entry] * len(found)
+                unmeasured += silent
+    patch = _patch_record(scene, observation, grid)
+    return Observed(
+        observation=observation,
+        patch=patch,
+        half_edge_m=min(math.hypot(*observation.patch.u), math.hypot(*observation.patch.v)),
+        measured=tuple(measured),
+        truths=tuple(truths),
+        profiles=profiles_of(observation, samples, truth.profiles.get(observation.name)),
+        unmeasured=tuple(dict.fromkeys(unmeasured)),
+    )
+
+
+def _samples(scene: Scene, observation: Observation, image: ImageLayers, grid: PatchGrid) -> PatchSamples:
+    return sample_patch(
+        image.radiance,
+        scene.camera,
+        scene.image,
+        observation.patch,
+        half_a=image.half_a,
+        half_b=image.half_b,
+        layers=image.layers,
+        grid=grid,
+    )
+
+
+def _context(scene: Scene, observation: Observation, truth: SceneTruth, correlation_m: float) -> Context:
+    """What the metrics may know: what the references state of the observation, and what the camera and plan give."""
+    view = math.dist(scene.camera.position, observation.patch.center)
+    known = truth.context(observation.name)
+    return replace(known, view_distance_m=known.view_distance_m or view, correlation_m=correlation_m)
+
+
+def _compare(
+    pair: Pair, observation: Observation, samples: Mapping[str, PatchSamples], context: Context
+) -> tuple[list[Measured], list[str]]:
+    """Every metric of the phenomenon between two images."""
+    try:
+        found = measure_with_intervals(observation, samples[pair.candidate], samples[pair.reference], context)
+    except MetricError as error:
+        return [], [f"{pair.value}: {error}"]
+    return [_measured(pair, entry, entry.ideal, "", observation) for entry in found if entry.ideal is not None], []
+
+
+def _against(
+    pair: Pair, truth: Truth, observation: Observation, samples: PatchSamples, context: Context
+) -> tuple[list[Measured], list[str]]:
+    """One measured quantity against its closed form; a quantity that the metrics do not give is said, not dropped."""
+    try:
+        found = measure_with_intervals(observation, samples, None, context)
+    except MetricError as error:
+        return [], [f"{pair.value}: {error}"]
+    named = [entry for entry in found if entry.metric == truth.metric]
+    if not named:
+        return [], [f"{pair.value}: the metrics of {observation.phenomenon} give no {truth.metric}"]
+    return [_measured(pair, named[0], truth.value, truth.origin, observation)], []
+
+
+def _measured(pair: Pair, entry: Measurement, ideal: float, source: str, observation: Observation) -> Measured:
+    """A measurement as the judge takes it; unknown noise (no half images) is taken as none, with a caveat."""
+    interval = entry.interval
+    noise = (
+        Noise(0.0) if interval is None else Noise(interval.standard_error, interval.degrees_of_freedom, interval.method)
+    )
+    if interval is not None and interval.standard_error == 0:
+        noise = Noise(0.0)
+    caveats = entry.caveats if interval is not None or entry.caveats else ("its noise is not known",)
+    return Measured(
+        pair=pair,
+        metric=entry.metric,
+        unit=entry.unit,
+        value=float(entry.value),
+        ideal=float(ideal),
+        noise=noise,
+        ideal_source=source,
+        settings=plain(entry.settings),
+        parts=plain(entry.parts),
+        caveats=caveats,
+    )
+
+
+def _patch_record(scene: Scene, observation: Observation, grid: PatchGrid) -> PatchRecord:
+    """The patch with its outline in the image, for the page to draw."""
+    patch = observation.patch
+    center, u, v = (np.asarray(vector, float) for vector in (patch.center, patch.u, patch.v))
+    corners = np.stack([center - u - v, center + u - v, center + u + v, center - u + v])
+    x, y, depth = View.of(scene.camera, scene.image).project(corners)
+    seen = bool(np.all(depth > 0) and np.isfinite(x).all() and np.isfinite(y).all())
+    outline = tuple((round(float(a), 2), round(float(b), 2)) for a, b in zip(x, y, strict=True)) if seen else ()
+    return PatchRecord(
+        center=patch.center, u=patch.u, v=patch.v, outline_px=outline, coverage=min(float(grid.coverage.mean()), 1.0)
+    )

@@ -1,0 +1,45 @@
+"""Pictures for people beside the radiance: display PNGs, the FLIP map, the signed difference."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from pathlib import Path
+
+import numpy as np
+
+from vitrail.images.display import Display
+from vitrail.images.exr import ImageLayers, write_image, write_png
+from vitrail.images.false_colour import heat, signed_difference
+from vitrail.judge.records import ImageFiles
+from vitrail.metrics.flip import FlipSettings, flip_map
+
+
+def write_pictures(
+    images: Mapping[str, ImageLayers], files: Mapping[str, Path], place: Path, exposure_stops: float
+) -> tuple[tuple[ImageFiles, ...], dict[str, str]]:
+    """Write the pictures of one scene into ``place``; returns the files of each side and those of the differences.
+
+    Paths are relative to the folder above ``place``, where ``results.json`` is.
+    """
+    display = Display(exposure_stops)
+    root = place.parent
+    sides = []
+    for side, image in images.items():
+        png = place / f"{side}.png"
+        write_png(png, display.apply(image.radiance))
+        sides.append(ImageFiles(side=side, exr=_relative(files[side], root), png=_relative(png, root)))
+    if len(images) != 2:
+        return tuple(sides), {}
+    candidate, reference = (image.radiance for image in images.values())
+    error = flip_map(candidate / display.white, reference / display.white, FlipSettings.around(display))
+    write_image(place / "error.exr", np.repeat(error[..., None], 3, axis=-1))
+    write_png(place / "error.png", heat(error, low=0.0, high=1.0))
+    scale = 0.1 * display.white / 2.0**exposure_stops
+    write_png(place / "difference.png", signed_difference(candidate, reference, scale=scale))
+    named = {"error": "error.exr", "error_picture": "error.png", "difference_picture": "difference.png"}
+    return tuple(sides), {key: _relative(place / name, root) for key, name in named.items()}
+
+
+def _relative(path: Path, root: Path) -> str:
+    return Path(os.path.relpath(path, root)).as_posix()

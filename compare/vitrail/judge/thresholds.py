@@ -1,0 +1,98 @@
+"""The tolerance of every metric, from ``references/thresholds.yaml``: a number with its reason, never one in the code.
+
+A tolerance may be widened by what the certificate of the translation states for the phenomenon, and by nothing else.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Literal
+
+from vitrail.judge.comparison import TolerancePart
+from vitrail.judge.reference_files import read_yaml
+from vitrail.scene.phenomenon import Phenomenon
+
+Kind = Literal["relative", "of_patch", "absolute"]
+KINDS: tuple[Kind, ...] = ("relative", "of_patch", "absolute")
+
+
+class ThresholdError(Exception):
+    """The file of thresholds lacks a rule or has a wrong one; the message names the metric."""
+
+
+@dataclass(frozen=True)
+class Rule:
+    """How far one metric may be from its ideal. ``certificate`` turns a relative residual into the metric's unit."""
+
+    kind: Kind
+    amount: float
+    reason: str
+    certificate: float | None = None
+
+    def part(self, ideal: float, half_edge_m: float) -> TolerancePart:
+        """The tolerance in the metric's unit, for an ideal value and a patch."""
+        return TolerancePart(
+            source="threshold", amount=self.amount * self._size(ideal, half_edge_m), reason=self.reason
+        )
+
+    def widening(self, residual: float, ideal: float, half_edge_m: float) -> float:
+        """What a relative ``residual`` of the translation is worth in the metric's unit."""
+        if self.certificate is not None:
+            return residual * self.certificate
+        return 0.0 if self.kind == "absolute" else residual * self._size(ideal, half_edge_m)
+
+    def _size(self, ideal: float, half_edge_m: float) -> float:
+        return {"relative": abs(ideal), "of_patch": half_edge_m, "absolute": 1.0}[self.kind]
+
+
+@dataclass(frozen=True)
+class Thresholds:
+    """All rules: those of a phenomenon first, then those of the metric."""
+
+    suite_false_alarm_rate: float
+    metrics: Mapping[str, Rule]
+    phenomena: Mapping[Phenomenon, Mapping[str, Rule]]
+
+    def rule(self, phenomenon: Phenomenon, metric: str) -> Rule:
+        """The rule for a metric; a name with a dot is found by its family. Raises ThresholdError if there is none."""
+        family = metric.split(".")[0]
+        own = self.phenomena.get(phenomenon, {})
+        found = own.get(metric) or own.get(family) or self.metrics.get(metric) or self.metrics.get(family)
+        if found is None:
+            raise ThresholdError(
+                f"references/thresholds.yaml has no rule for the metric `{family}`; add one with a reason"
+            )
+        return found
+
+
+def read_thresholds(path: Path) -> Thresholds:
+    """Raises ThresholdError for anything that is not a rule."""
+    found = read_yaml(path)
+    rate = found.get("suite_false_alarm_rate", {}).get("value")
+    if not isinstance(rate, float) or not 0 < rate < 1:
+        raise ThresholdError(f"{path}: suite_false_alarm_rate.value is {rate!r}; write a rate between 0 and 1")
+    metrics = {name: _rule(path, name, entry) for name, entry in found.get("metrics", {}).items()}
+    phenomena = {
+        Phenomenon(name): {metric: _rule(path, f"{name}.{metric}", entry) for metric, entry in rules.items()}
+        for name, rules in found.get("phenomena", {}).items()
+    }
+    return Thresholds(rate, metrics, phenomena)
+
+
+def _rule(path: Path, name: str, entry: Mapping[str, Any]) -> Rule:
+    """One rule: exactly one kind, an amount above or at 0, a reason."""
+    unknown = set(entry) - {*KINDS, "certificate", "reason"}
+    kinds = [kind for kind in KINDS if kind in entry]
+    if unknown or len(kinds) != 1:
+        raise ThresholdError(
+            f"{path}: {name} takes one of {', '.join(KINDS)}, `certificate` and `reason`, not {unknown}"
+        )
+    amount, reason = entry[kinds[0]], str(entry.get("reason", "")).strip()
+    if not isinstance(amount, int | float) or not 0 <= amount < float("inf"):
+        raise ThresholdError(f"{path}: {name}.{kinds[0]} is {amount!r}; write a number at or above 0")
+    if not reason:
+        raise ThresholdError(f"{path}: {name} has no reason; say why {amount:g} and not half or twice of it")
+    scale = entry.get("certificate")
+    return Rule(kinds[0], float(amount), reason, None if scale is None else float(scale))

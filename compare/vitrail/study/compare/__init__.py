@@ -1,0 +1,1 @@
+"""Scenes through both engines to verdicts: load, plan, lower, render, measure, judge."""

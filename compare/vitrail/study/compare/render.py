@@ -1,0 +1,85 @@
+"""Lower one scene for both engines and render it in both, each image once for each content."""
+
+from __future__ import annotations
+
+import os
+import shutil
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from vitrail.engines.base import Progress, Rendering
+from vitrail.engines.cache import Cache, content_key, named_files
+from vitrail.lower.canonical_json import canonical_json
+from vitrail.lower.povray import PovrayScene, lower_povray
+from vitrail.lower.tracer import lower_tracer
+from vitrail.plan.budget import Settings
+from vitrail.plan.plan import Plan
+from vitrail.scene.load import Loaded
+from vitrail.study.compare.request import Request
+
+
+@dataclass(frozen=True)
+class Lowered:
+    """One scene in the two forms that the engines take, with the request's defect already in."""
+
+    tracer: dict[str, Any]
+    povray: PovrayScene
+
+
+def lower_both(loaded: Loaded, plan: Plan, settings: Settings, request: Request) -> Lowered:
+    """Raises NotTranslatable with the scene's lines."""
+    tracer = lower_tracer(loaded.scene, plan, settings, loaded.path.parent.resolve())
+    povray = lower_povray(loaded.scene, plan, settings, loaded)
+    return Lowered(request.defect.tracer(tracer), request.defect.povray(povray))
+
+
+def render_both(lowered: Lowered, place: Path, request: Request, progress: Progress) -> dict[str, Rendering]:
+    """Both images in ``place``: tracer.exr and povray.exr with their run records. Raises EngineFailure."""
+    return {
+        "tracer": _render("tracer", lowered.tracer, tracer_key, place, request, progress),
+        "povray": _render("povray", lowered.povray, povray_key, place, request, progress),
+    }
+
+
+def tracer_key(version: str, lowered: dict[str, Any]) -> str:
+    """The content that decides the tracer's image: its input, and the meshes and images that the input names."""
+    return content_key("tracer", version, [canonical_json(lowered)], named_files(lowered))
+
+
+def povray_key(version: str, lowered: PovrayScene) -> str:
+    """The content that decides POV-Ray's image: the texts of its runs, and how their images are added up."""
+    sums = [f"{run.name} {run.half} {run.width} {run.height} {run.samples_across} {run.gain}" for run in lowered.runs]
+    return content_key("povray", version, [*sums, *(run.sdl for run in lowered.runs), str(lowered.settings)])
+
+
+def _render(
+    side: str,
+    lowered: Any,
+    key: Callable[[str, Any], str],
+    place: Path,
+    request: Request,
+    progress: Progress,
+) -> Rendering:
+    """One image, from the cache where its content is known; its files are linked into the scene's folder."""
+    engine = request.engines[side]
+    made = Cache(request.cache).rendered(
+        key(engine.version(), lowered),
+        lambda work: engine.render(lowered, work, threads=request.threads, progress=progress),
+    )
+    place.mkdir(parents=True, exist_ok=True)
+    for path in sorted(made.image_path.parent.rglob("*")):
+        if path.is_file() and path.name != "record.json":
+            _link(path, place / path.relative_to(made.image_path.parent))
+    return Rendering(place / made.image_path.name, made.record)
+
+
+def _link(source: Path, target: Path) -> None:
+    """A second name for a kept file, or a copy where the folder's disk has no links."""
+    target.parent.mkdir(parents=True, exist_ok=True)
+    target.unlink(missing_ok=True)
+    try:
+        os.link(source, target)
+    except OSError:
+        shutil.copy2(source, target)

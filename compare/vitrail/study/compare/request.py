@@ -1,0 +1,50 @@
+"""What a comparison is asked to do, and the one way to tamper with it on purpose."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from vitrail.engines.base import Engine
+from vitrail.engines.povray import Povray
+from vitrail.engines.tracer import Tracer
+from vitrail.lower.povray import PovrayScene
+from vitrail.plan.budget import Quality
+
+
+@dataclass(frozen=True)
+class Defect:
+    """A known mistake put between lowering and rendering, to see which phenomenon turns red. Empty: none.
+
+    ``povray`` changes the translated scene (its text, its gains), ``tracer`` the lowered scene.
+    """
+
+    name: str = ""
+    povray: Callable[[PovrayScene], PovrayScene] = field(default=lambda scene: scene)
+    tracer: Callable[[dict[str, Any]], dict[str, Any]] = field(default=lambda lowered: lowered)
+
+
+@dataclass(frozen=True)
+class Request:
+    """Scenes and settings of one run. ``overrides`` replace fields of the settings; ``out`` holds the results.
+
+    ``threads`` 0 takes every core; ``jobs`` scenes are worked on at a time. ``references`` is the folder of closed
+    forms and thresholds, or None for the one nearest to each scene.
+    """
+
+    out: Path
+    quality: Quality = "normal"
+    overrides: Mapping[str, object] = field(default_factory=dict)
+    threads: int = 0
+    jobs: int = 1
+    references: Path | None = None
+    defect: Defect = Defect()
+    engines: Mapping[str, Engine] = field(default_factory=lambda: {"tracer": Tracer(), "povray": Povray()})
+    command: tuple[str, ...] = ()
+
+    @property
+    def cache(self) -> Path:
+        """Finished renderings, kept by content, so that an interrupted run goes on where it was."""
+        return self.out / ".cache"

@@ -1,0 +1,160 @@
+"""Many scenes: each through both engines, then all judged together at one false-alarm rate."""
+
+from __future__ import annotations
+
+import os
+import platform
+import sys
+import time
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
+from datetime import UTC, datetime
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
+
+from vitrail.judge.comparison import ObservationResult
+from vitrail.judge.exit_code import INTERRUPTED, of_run, of_scene
+from vitrail.judge.false_alarms import SUITE_FALSE_ALARM_RATE, sidak
+from vitrail.judge.judgement import judge_observation
+from vitrail.judge.records import Results, Run, SceneResult, Status, write_results
+from vitrail.judge.references import references_folder
+from vitrail.judge.thresholds import read_thresholds
+from vitrail.judge.verdict import overall
+from vitrail.scene.load import Loaded
+from vitrail.study.compare.request import Request
+from vitrail.study.compare.scene_run import SceneRun, run_scene
+
+Watch = Callable[[str, str, float, float], None]
+"""Called with the scene, the phase, the work done and the work in all."""
+
+
+def compare(scenes: Sequence[Loaded], request: Request, watch: Watch = lambda *step: None) -> Results:
+    """Run every scene, judge all, write ``results.json`` after each, and return the results.
+
+    Ctrl-C keeps what has finished: the results are marked interrupted and hold those scenes.
+    """
+    started, clock = datetime.now(UTC), time.monotonic()
+    # Refuse unusable references before an hour of rendering, not after it.
+    for folder in {references_folder(loaded.path, request.references) for loaded in scenes}:
+        read_thresholds(folder / "thresholds.yaml")
+    request.out.mkdir(parents=True, exist_ok=True)
+    names = scene_names([loaded.path for loaded in scenes])
+    runs: dict[str, SceneRun] = {}
+    interrupted = False
+
+    def finish() -> Results:
+        ordered = [runs[name] for name in names if name in runs]
+        about = _about(request, started, time.monotonic() - clock, interrupted)
+        results = judge(ordered, about)
+        write_results(results, request.out / "results.json")
+        return results
+
+    try:
+        for name, run in _each(list(zip(names, scenes, strict=True)), request, watch):
+            runs[name] = run
+            finish()
+    except KeyboardInterrupt:
+        interrupted = True
+    return finish()
+
+
+def judge(runs: Sequence[SceneRun], about: Run) -> Results:
+    """All verdicts of a run, at the level that its number of comparisons asks for."""
+    comparisons = sum(len(observed.measured) for run in runs for observed in run.observed)
+    folders = {run.references for run in runs if run.references is not None}
+    rules = {folder: read_thresholds(folder / "thresholds.yaml") for folder in folders}
+    rate = min((each.suite_false_alarm_rate for each in rules.values()), default=SUITE_FALSE_ALARM_RATE)
+    shared = sidak(rate, comparisons)
+    scenes = tuple(
+        _judged(
+            run, [judge_observation(each, rules[run.references], run.residual, shared.level) for each in run.observed]
+        )
+        if run.references is not None
+        else _coded(run.record)
+        for run in runs
+    )
+    keys = [scene.verdict.value if scene.verdict else "unjudged" for scene in scenes]
+    codes = [scene.exit_code for scene in scenes] + ([INTERRUPTED] if about.interrupted else [])
+    return Results(
+        run=about,
+        false_alarms=shared,
+        scenes=scenes,
+        counts={key: keys.count(key) for key in sorted(set(keys))},
+        verdict=overall(scene.verdict for scene in scenes),
+        exit_code=of_run(codes),
+    )
+
+
+def scene_names(paths: Sequence[Path]) -> list[str]:
+    """One folder name a scene: the stem of its file, with its folder before it where two would be the same."""
+    stems = [path.stem for path in paths]
+    names = [
+        path.stem if stems.count(path.stem) == 1 else f"{path.resolve().parent.name}-{path.stem}" for path in paths
+    ]
+    return [name if names.index(name) == place else f"{name}-{place}" for place, name in enumerate(names)]
+
+
+def _each(named: list[tuple[str, Loaded]], request: Request, watch: Watch) -> Iterator[tuple[str, SceneRun]]:
+    """(name, run) of every scene as it finishes, ``request.jobs`` at a time."""
+    if request.jobs == 1:
+        for name, loaded in named:
+            yield name, run_scene(loaded, name, request, _watched(watch, name))
+        return
+    waiting = list(reversed(named))
+    with ThreadPoolExecutor(request.jobs) as pool:
+        going: dict[Future[SceneRun], str] = {}
+        try:
+            while waiting or going:
+                while waiting and len(going) < request.jobs:
+                    name, loaded = waiting.pop()
+                    going[pool.submit(run_scene, loaded, name, request, _watched(watch, name))] = name
+                for future in wait(going, return_when=FIRST_COMPLETED).done:
+                    yield going.pop(future), future.result()
+        finally:
+            for future in going:
+                future.cancel()
+
+
+def _watched(watch: Watch, name: str) -> Callable[[str, float, float], None]:
+    return lambda phase, done, total: watch(name, phase, done, total)
+
+
+def _judged(run: SceneRun, observations: Sequence[ObservationResult]) -> SceneResult:
+    """The scene's record with its verdicts; a scene that observes nothing has judged nothing and says so."""
+    verdict = overall(each.verdict for each in observations)
+    update: dict[str, object] = {"observations": tuple(observations), "verdict": verdict}
+    if verdict is None:
+        update |= {"status": Status.SCENE_ERROR, "message": "the scene observes nothing; add an `observe` entry"}
+    return _coded(run.record.model_copy(update=update))
+
+
+def _coded(record: SceneResult) -> SceneResult:
+    return record.model_copy(update={"exit_code": of_scene(record.status, record.verdict)})
+
+
+def _about(request: Request, started: datetime, wall_s: float, interrupted: bool) -> Run:
+    """Where and how the run was made."""
+    try:
+        own = version("vitrail")
+    except PackageNotFoundError:
+        own = "unpacked"
+    return Run(
+        command=request.command,
+        started=started.strftime("%Y-%m-%d %H:%M:%S UTC"),
+        wall_s=round(wall_s, 3),
+        vitrail_version=own,
+        python=sys.version.split()[0],
+        platform=platform.platform(terse=True),
+        processor=_processor(),
+        threads=request.threads or os.cpu_count(),
+        interrupted=interrupted,
+    )
+
+
+def _processor() -> str:
+    """The name the machine gives its processor, or nothing."""
+    try:
+        lines = Path("/proc/cpuinfo").read_text().splitlines()
+    except OSError:
+        return platform.processor()
+    return next((line.split(":", 1)[1].strip() for line in lines if line.startswith("model name")), "")
