@@ -100,4 +100,7 @@ def _face(points: np.ndarray, radius: float, vertex: float, outward: float) -> n
         return outward * (vertex - points[:, 2])
     center = np.array([0.0, 0.0, vertex - outward * radius])
     distance = np.linalg.norm(points - center, axis=1)
-    return radius - distance if radius > 0 else distance + radius
+    if radius > 0:
+        return radius - distance
+    # A concave face is taken from the glass as the near half of its ball; what lies beyond that is outside too.
+    return np.minimum(distance + radius, outward * (center[2] - points[:, 2]))
