@@ -1,0 +1,95 @@
+"""Settings follow quality and scene, scale with it to the last bit, and refuse what makes no sense."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.plan.small_scenes import FLOOR, ball_over_floor, make
+from vitrail.plan.analyse import analyse
+from vitrail.plan.budget import settings_for
+from vitrail.scene.load import load_text
+
+SPOT = "{name: spot, phenomenon: caustic, patch: {center: [0, 0, 0], u: [1, 0, 0], v: [0, 0, 1]}}"
+
+
+def ball_lens(scale: float, observe: bool) -> str:
+    """The ball over its floor with all lengths times ``scale``."""
+    spot = (
+        f"observe:\n  - {{name: spot, phenomenon: caustic, patch: {{center: [0, 0, 0],"
+        f" u: [{0.3 * scale!r}, 0, 0], v: [0, 0, {0.4 * scale!r}]}}}}\n"
+    )
+    return f"""
+vitrail: 1
+camera: {{position: [0, {8 * scale!r}, 0], look_at: [0, 0, 0], up: [0, 0, -1], fov_deg: 40}}
+image: {{width: 64, height: 64}}
+materials: {{white: {{diffuse: 0.8}}, clear: {{transmission: 1, ior: 1.5}}}}
+objects:
+  - {{name: floor, plane: {{point: [0, 0, 0], normal: [0, 1, 0]}}, material: white}}
+  - {{name: ball, sphere: {{center: [0, {2.1 * scale!r}, 0], radius: {0.7 * scale!r}}}, material: clear}}
+lights:
+  - {{name: sun, directional: {{direction: [0, -1, 0], irradiance: 3}}}}
+""" + (spot if observe else "")
+
+
+@pytest.mark.parametrize("observe", [True, False])
+@pytest.mark.parametrize("quality", ["draft", "normal", "reference"])
+def test_the_gather_radius_scales_exactly_with_the_scene(observe: bool, quality: str) -> None:
+    small, large = (load_text(ball_lens(scale, observe)).scene for scale in (1.0, 8.0))
+    radii = [settings_for(scene, analyse(scene), quality).gather_radius_m for scene in (small, large)]  # type: ignore
+    assert radii[1] == 8 * radii[0]
+
+
+def test_the_gather_radius_follows_the_smallest_caustic_patch() -> None:
+    """Half diagonal of a patch of half edges 1: sqrt 2 / 60 = 0.02357, to three bits of mantissa 0.02344."""
+    scene = ball_over_floor(observe=(SPOT,))
+    assert settings_for(scene, analyse(scene)).gather_radius_m == 0.0234375
+
+
+def test_fewer_photons_gather_from_farther() -> None:
+    scene = ball_over_floor(observe=(SPOT,))
+    radii = [settings_for(scene, analyse(scene), quality).gather_radius_m for quality in ("draft", "reference")]  # type: ignore
+    assert radii[0] / radii[1] == pytest.approx(100 ** (1 / 6), rel=0.13)  # two roundings to 1/16
+
+
+def test_quality_sets_samples_and_photons() -> None:
+    scene = ball_over_floor()
+    levels = [settings_for(scene, analyse(scene), quality) for quality in ("draft", "normal", "reference")]  # type: ignore
+    assert [level.samples for level in levels] == [1, 4, 64]
+    assert [level.photons for level in levels] == [100_000, 1_000_000, 10_000_000]
+
+
+def test_no_caustic_and_no_indirect_light_mean_no_photons() -> None:
+    scene = make(FLOOR)
+    assert settings_for(scene, analyse(scene)).photons == 0
+    scene = ball_over_floor("clear", lights=())
+    assert settings_for(scene, analyse(scene), "reference").photons == 0
+
+
+def test_overrides_are_taken_as_text_and_as_numbers() -> None:
+    scene = ball_over_floor()
+    settings = settings_for(scene, analyse(scene), photons="2e5", samples=9, gather_radius_m="0.5", solver="beams")
+    assert (settings.photons, settings.samples, settings.gather_radius_m) == (200_000, 9, 0.5)
+    assert settings.solver == "beams"
+
+
+@pytest.mark.parametrize(
+    ("key", "value", "words"),
+    [
+        ("photon", 1, "did you mean `photons`?"),
+        ("xyz", 1, "the settings are quality, samples"),
+        ("samples", "0", "the least is 1"),
+        ("samples", "1.5", "write a whole number"),
+        ("samples", "many", "write a whole number"),
+        ("photons", "-1", "the least is 0"),
+        ("photons", "nan", "write a whole number"),
+        ("photons", "inf", "write a whole number"),
+        ("gather_radius_m", "0", "above 0"),
+        ("gather_radius_m", "wide", "a length in metres"),
+        ("solver", "magic", "choose one of auto, photon_map"),
+    ],
+)
+def test_a_wrong_setting_is_refused_with_a_remedy(key: str, value: object, words: str) -> None:
+    scene = ball_over_floor()
+    with pytest.raises(ValueError, match=f"`{key}`") as raised:
+        settings_for(scene, analyse(scene), **{key: value})  # type: ignore[arg-type]
+    assert words in str(raised.value)
