@@ -82,7 +82,9 @@ def band_model(choice: str | SpectralChoice) -> BandModel:
         case "continuous":
             return BandModel("continuous", spectral(CONTINUOUS_BANDS).bands)
         case _:
-            raise ValueError(f"there is no band model {choice!r}; the models are paper, povray, spectral and continuous")
+            raise ValueError(
+                f"there is no band model {choice!r}; the models are paper, povray, spectral and continuous"
+            )
 
 
 def povray(count: int) -> BandModel:

@@ -1,6 +1,6 @@
 """The refraction index of a material in each band.
 
-Reads a scene's material and its ``paper`` switches by their fields alone, so that formulas depend on nothing above them.
+Reads a scene's material and its ``paper`` switches by their fields alone: formulas depend on nothing above them.
 """
 
 from __future__ import annotations

@@ -14,7 +14,9 @@ from vitrail.scene.model import COLOUR_KEYS
 from vitrail.scene.yaml_tree import Path, Places
 
 
-def field_diagnostics(error: ValidationError, data: Any, top: type[BaseModel], places: Places, file: str) -> list[Diagnostic]:
+def field_diagnostics(
+    error: ValidationError, data: Any, top: type[BaseModel], places: Places, file: str
+) -> list[Diagnostic]:
     """One Diagnostic for each thing that is wrong; alternatives that the author did not mean are left out."""
     found: dict[tuple[int, int, str], Diagnostic] = {}
     errors = [(each, *walked) for each in error.errors(include_url=False) if (walked := _walk(each["loc"], data))]

@@ -309,7 +309,9 @@ class Prism(Part):
     def _has_a_cross_section(self) -> Prism:
         by_apex = self.apex_deg is not None and self.side is not None
         if (self.profile is not None) == by_apex or (self.apex_deg is None) != (self.side is None):
-            raise ValueError("a prism needs its cross-section once; give either `profile` (corners [x, y]) or both `apex_deg` and `side`")
+            raise ValueError(
+                "a prism needs one cross-section; give `profile` (corners [x, y]), or `apex_deg` and `side`"
+            )
         if self.profile is not None and len(self.profile) < 3:
             raise ValueError("a profile needs at least three corners; add some")
         return self
