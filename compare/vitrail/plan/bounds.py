@@ -162,9 +162,9 @@ def _disc(center: Vec, normal: Vec, radius: float) -> Bounds:
 
 
 def _lens_half_depth(lens: Lens) -> float:
-    """Half the depth at the axis, or at the rim where concave faces make that larger."""
-    sags = sum(_sag(radius, lens.diameter / 2) for radius in (lens.radius_front, lens.radius_back) if radius < 0)
-    return lens.thickness / 2 + sags
+    """Half the depth at the axis, or at the rim where a concave face reaches farther out."""
+    sags = [_sag(radius, lens.diameter / 2) for radius in (lens.radius_front, lens.radius_back) if radius < 0]
+    return lens.thickness / 2 + max(sags, default=0.0)
 
 
 def _sag(radius: float, half_width: float) -> float:
