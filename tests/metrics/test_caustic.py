@@ -25,6 +25,20 @@ def test_flux_of_a_known_spot():
     assert {m.unit for m in found} == {"W sr^-1"}
 
 
+def test_flux_within_a_circle_only():
+    # 1 - exp(-r^2 / 2 sigma^2) of the spot is within r; a circle over tiles is ragged by 1e-3.
+    context = Context(background=(0.0, 0.0, 0.0), centre_m=(0.0, 0.0), outer_radius_m=0.4)
+    found = caustic_flux(patch_of(spot()), None, context)
+    assert found[0].value == pytest.approx(1 - np.exp(-(0.4**2) / 0.045), rel=1e-3)
+    assert caustic_radii(patch_of(spot()), None, context)[1].value < 0.4
+    # Light beyond the circle moves nothing.
+    lit = patch_of(lambda u, v: spot()(u, v) + 3.0 * (u > 0.6)[..., None])
+    assert caustic_flux(lit, None, context)[0].value == pytest.approx(found[0].value, rel=1e-12)
+    assert caustic_centroid(lit, None, context)[0].value == pytest.approx(0.0, abs=1e-12)
+    with pytest.raises(MetricError, match="centre"):
+        caustic_flux(patch_of(spot()), None, Context(outer_radius_m=0.2))
+
+
 def test_one_percent_of_flux_lost_is_one_percent():
     found = caustic_flux(patch_of(spot(power=0.99)), patch_of(spot()), CONTEXT)
     assert [m.metric for m in found] == ["flux_ratio.red", "flux_ratio.green", "flux_ratio.blue"]

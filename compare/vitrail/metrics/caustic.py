@@ -17,16 +17,19 @@ FLUX = "W sr^-1"
 
 
 def caustic_flux(candidate: PatchSamples, reference: PatchSamples | None, context: Context) -> list[Measurement]:
-    """Radiance summed over the patch. Absolute: ``caustic_flux.<channel>``, W/sr; comparison: ``flux_ratio.<channel>``.
+    """Radiance summed over the patch, or over ``context.outer_radius_m`` about ``context.centre_m``.
 
-    A caustic that one image lost gives a ratio at the bound of ``channel_ratios``; one that both lack is a MetricError.
+    Absolute: ``caustic_flux.<channel>``, W/sr; comparison: ``flux_ratio.<channel>``.
+
+    A caustic that one image lost gives a ratio at the bound of ``channel_ratios``; one that both lack is a
+    MetricError.
     """
     light, other = light_of(("caustic",), candidate, reference, context)
-    settings = {"light": light.source}
+    settings = {"light": light.source, "centre_m": context.centre_m, "outer_radius_m": context.outer_radius_m}
+    ours = _flux(light, candidate, context)
     if reference is None or other is None:
-        flux = _flux(light, candidate)
-        return per_channel("caustic_flux", flux, FLUX, None, settings=settings, caveats=light.caveats)
-    ratios = channel_ratios("flux_ratio", _flux(light, candidate), _flux(other, reference), settings, light.caveats)
+        return per_channel("caustic_flux", ours, FLUX, None, settings=settings, caveats=light.caveats)
+    ratios = channel_ratios("flux_ratio", ours, _flux(other, reference, context), settings, light.caveats)
     if not ratios:
         raise MetricError("neither image has a caustic on the patch; correct the patch or the scene")
     return ratios
@@ -38,14 +41,14 @@ def caustic_centroid(candidate: PatchSamples, reference: PatchSamples | None, co
     Components and not the distance: a distance is above 0 by noise alone.
     """
     light, other = light_of(("caustic",), candidate, reference, context)
-    ours = centroid(light, candidate)
+    ours = centroid(light, candidate, context)
     settings = {"light": light.source}
     if reference is None or other is None:
         return [
             Measurement(f"centroid.{axis}", x, "m", None, settings, caveats=light.caveats)
             for axis, x in zip("uv", ours, strict=True)
         ]
-    theirs = centroid(other, reference)
+    theirs = centroid(other, reference, context)
     parts = {"distance": float(np.hypot(ours[0] - theirs[0], ours[1] - theirs[1]))}
     return [
         Measurement(f"centroid_shift.{axis}", x - y, "m", 0.0, settings, parts, light.caveats)
@@ -61,7 +64,7 @@ def caustic_radii(candidate: PatchSamples, reference: PatchSamples | None, conte
     """
     light, other = light_of(("caustic",), candidate, reference, context)
     centre = _centre(light if other is None else other, candidate if reference is None else reference, context)
-    outer = room_about(candidate, centre)
+    outer = min(room_about(candidate, centre), context.outer_radius_m or np.inf)
     settings = {"light": light.source, "centre_m": centre, "outer_radius_m": outer}
     ours = encircled(light.values.mean(axis=-1), candidate, centre, outer)
     found = []
@@ -112,14 +115,14 @@ def caustic_area(candidate: PatchSamples, reference: PatchSamples | None, contex
     if threshold is None:
         if other is None:
             return []
-        threshold = 2 * float(other.values.mean())
+        threshold = 2 * float(_counted(other, candidate, context).mean())
     if not threshold > 0:
         raise MetricError("the threshold is not above 0; give threshold_radiance, or look why there is no caustic")
     settings = {"light": light.source, "threshold": threshold, "ramp": 0.1}
-    ours = _area(light, candidate, threshold)
+    ours = _area(light, candidate, context, threshold)
     if reference is None or other is None:
         return [Measurement("area", ours, "m^2", None, settings, caveats=light.caveats)]
-    theirs = _area(other, reference, threshold)
+    theirs = _area(other, reference, context, threshold)
     if not theirs > 0:
         return []
     parts = {"candidate": ours, "reference": theirs}
@@ -148,21 +151,33 @@ def profile_correlation(candidate: PatchSamples, reference: PatchSamples | None,
     return found
 
 
-def centroid(light: Light, samples: PatchSamples) -> tuple[float, float]:
+def centroid(light: Light, samples: PatchSamples, context: Context) -> tuple[float, float]:
     """(u, v) of the centre of flux, metres from the patch centre. Raises MetricError when there is no flux."""
-    grey = light.values.mean(axis=-1) * samples.coverage
+    grey = _counted(light, samples, context).mean(axis=-1)
     total = grey.sum()
     if not total > 0:
         raise MetricError("no caustic flux on the patch; correct the patch, or look why the caustic is gone")
     return float((grey.sum(axis=0) * samples.u_m).sum() / total), float((grey.sum(axis=1) * samples.v_m).sum() / total)
 
 
-def _flux(light: Light, samples: PatchSamples) -> np.ndarray:
-    return (light.values * samples.coverage[..., None]).sum(axis=(0, 1)) * samples.cell_area_m2
+def _flux(light: Light, samples: PatchSamples, context: Context) -> np.ndarray:
+    """Radiance times area per channel (3,), W/sr."""
+    return _counted(light, samples, context).sum(axis=(0, 1)) * samples.cell_area_m2
+
+
+def _counted(light: Light, samples: PatchSamples, context: Context) -> np.ndarray:
+    """The light (nv, nu, 3) times the share of each cell that is in the frame and within the outer radius."""
+    seen = light.values * samples.coverage[..., None]
+    if context.outer_radius_m is None:
+        return seen
+    if context.centre_m is None:
+        raise MetricError("outer_radius_m needs centre_m: a circle has a centre")
+    area = ring_weights(samples, context.centre_m, (0.0, context.outer_radius_m)).toarray()
+    return seen * (area.reshape(samples.coverage.shape) / samples.cell_area_m2)[..., None]
 
 
 def _centre(light: Light, samples: PatchSamples, context: Context) -> tuple[float, float]:
-    return context.centre_m if context.centre_m is not None else centroid(light, samples)
+    return context.centre_m if context.centre_m is not None else centroid(light, samples, context)
 
 
 def _ring_means(
@@ -175,6 +190,6 @@ def _ring_means(
     return [float(x) for x in (weights @ light.values.mean(axis=-1).ravel()) / area]
 
 
-def _area(light: Light, samples: PatchSamples, threshold: float) -> float:
-    height = (light.values.mean(axis=-1) / threshold - 0.9) / 0.2
-    return float((np.clip(height, 0, 1) * samples.coverage).sum() * samples.cell_area_m2)
+def _area(light: Light, samples: PatchSamples, context: Context, threshold: float) -> float:
+    height = (_counted(light, samples, context).mean(axis=-1) / threshold - 0.9) / 0.2
+    return float(np.clip(height, 0, 1).sum() * samples.cell_area_m2)

@@ -87,6 +87,7 @@ class Context:
     ``view_distance_m``: from the camera to the patch centre, it turns metres into degrees of view.
     ``thickness_m`` and ``thickness_slope`` (metres of glass per metre of patch along ``along``): what light crossed.
     ``centre_m``: (u, v) of the symmetry centre, relative to the patch centre, for annuli about a known axis.
+    ``outer_radius_m``: nothing further from that centre belongs to the caustic (beyond it the sun shines directly).
     ``annulus_edges_m``: ascending radii. ``threshold_radiance``: for the area of a caustic, mean of the channels.
     ``bands``: name to (r, g, b) weight of each dispersion band. ``furnace_radiance``: of a uniform surround.
     ``correlation_m``: length over which noise is correlated (the gather radius); blocks are never smaller.
@@ -100,6 +101,7 @@ class Context:
     thickness_m: float | None = None
     thickness_slope: float | None = None
     centre_m: tuple[float, float] | None = None
+    outer_radius_m: float | None = None
     annulus_edges_m: tuple[float, ...] = ()
     threshold_radiance: float | None = None
     bands: Mapping[str, Triplet] = field(default_factory=dict)

@@ -1,0 +1,43 @@
+"""Diffuse cards under a sun and under a lamp."""
+
+from __future__ import annotations
+
+from mpmath import atan, mpf, pi, quad, sqrt
+
+
+def sunlit(diffuse, irradiance, cosine):
+    """Radiance d E cos / pi of a card under a directional light."""
+    return mpf(diffuse) * irradiance * cosine / pi
+
+
+def lamplit_mean(diffuse, intensity, height, half_edge):
+    """Mean radiance of a square patch under a point light above its centre.
+
+    The flux on it is the intensity times the patch's solid angle 4 atan(a^2 / (h sqrt(2 a^2 + h^2))).
+    """
+    a, h = mpf(half_edge), mpf(height)
+    solid_angle = 4 * atan(a * a / (h * sqrt(2 * a * a + h * h)))
+    return mpf(diffuse) / pi * intensity * solid_angle / (4 * a * a)
+
+
+def lamplit_mean_by_quadrature(diffuse, intensity, height, half_edge):
+    """The same mean by integrating I h / d^3 over the patch."""
+    a, h = mpf(half_edge), mpf(height)
+    flux = quad(lambda x, z: intensity * h / sqrt(x * x + h * h + z * z) ** 3, [-a, a], [-a, a])
+    return mpf(diffuse) / pi * flux / (4 * a * a)
+
+
+def lamplit_tilt_and_bow(intensity, height, half_edge):
+    """Bow of the best parabola over the patch (``diffusion.evenness``): 1, s, t, s^2 + t^2 with s, t in [-1, 1].
+
+    By symmetry the fit is one line in q = s^2 + t^2, whose mean is 2/3 and whose variance is 2 * 4/45; twice its slope
+    over the mean radiance is middle minus border.
+    """
+    a, h = mpf(half_edge), mpf(height)
+
+    def radiance(s, t):
+        return h / sqrt((a * s) ** 2 + h * h + (a * t) ** 2) ** 3
+
+    mean = quad(radiance, [-1, 1], [-1, 1]) / 4
+    moment = quad(lambda s, t: radiance(s, t) * (s * s + t * t - mpf(2) / 3), [-1, 1], [-1, 1]) / 4
+    return mpf(0), -2 * moment / (mpf(8) / 45) / mean

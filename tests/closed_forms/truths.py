@@ -1,0 +1,103 @@
+"""Which code computes which number of ``references/analytic.yaml``: by scene, observation and metric, or by name."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from mpmath import mpf, pi
+
+from tests.closed_forms import area_lights, ball_lens, cards, prisms, rough, slabs
+
+CROWN = mpf("1.5")
+DROP = mpf(2)
+RINGS = tuple(mpf(x) for x in ("0", "0.05", "0.1", "0.2", "0.3", "0.4", "0.6", "0.8"))
+OUTER = mpf("0.9")
+"""Of the ball lens: index, plane below the centre in radii, annuli, and the circle inside the ball's shadow."""
+
+FLOOR = mpf("0.8")
+"""Radiance of that floor in full sun: diffuse 0.8, irradiance pi."""
+
+CHANNELS = ("red", "green", "blue")
+Computed = Callable[[], mpf]
+
+
+def _coloured(scene: str, observation: str, family: str, values: tuple[Computed, ...]) -> dict:
+    return {(scene, observation, f"{family}.{c}"): value for c, value in zip(CHANNELS, values, strict=True)}
+
+
+def _ring(k: int) -> Computed:
+    return lambda: FLOOR * ball_lens.ring_gain(RINGS[k], RINGS[k + 1], CROWN, DROP)
+
+
+def _card(diffuse: str) -> Computed:
+    return lambda: cards.sunlit(diffuse, 3, mpf("0.8"))
+
+
+def _lamp(diffuse: str) -> Computed:
+    return lambda: cards.lamplit_mean(diffuse, 10, 2, mpf("0.5"))
+
+
+def _pane(share: str) -> Computed:
+    return lambda: slabs.weighted_pane(share)
+
+
+def _slab(degrees: int) -> Computed:
+    return lambda: slabs.slab(CROWN, degrees)
+
+
+def _ball_flux() -> mpf:
+    return FLOOR * ball_lens.flux_within(OUTER, CROWN, DROP)
+
+
+GREY = ("0.18", "0.5", "0.9")
+TINT = ("0.9", "0.5", "0.2")
+
+SCENES: dict[tuple[str, str, str], Computed] = {
+    **_coloured("grey_card_directional", "card", "mean_radiance", tuple(_card(d) for d in GREY)),
+    ("grey_card_directional", "card", "tilt.u"): lambda: mpf(0),
+    ("grey_card_directional", "card", "tilt.v"): lambda: mpf(0),
+    ("grey_card_directional", "card", "bow"): lambda: mpf(0),
+    **_coloured("grey_card_point", "card", "mean_radiance", tuple(_lamp(d) for d in GREY)),
+    ("grey_card_point", "card", "tilt.u"): lambda: cards.lamplit_tilt_and_bow(10, 2, mpf("0.5"))[0],
+    ("grey_card_point", "card", "tilt.v"): lambda: cards.lamplit_tilt_and_bow(10, 2, mpf("0.5"))[0],
+    ("grey_card_point", "card", "bow"): lambda: cards.lamplit_tilt_and_bow(10, 2, mpf("0.5"))[1],
+    **_coloured("slab_normal", "through", "mean_radiance", (_slab(0),) * 3),
+    **_coloured("slab_tilted", "through", "mean_radiance", (_slab(60),) * 3),
+    **_coloured("slab_clear", "through", "mean_radiance", (lambda: slabs.weighted_pane(1),) * 3),
+    **_coloured("tinted_pane_seen", "through", "transmittance", tuple(_pane(t) for t in TINT)),
+    **_coloured("tinted_pane_projected", "projected", "transmittance", tuple(_pane(t) for t in TINT)),
+    **{("ball_lens", "caustic", f"annulus_mean.{k}"): _ring(k) for k in range(len(RINGS) - 1)},
+    **_coloured("ball_lens", "caustic", "caustic_flux", (_ball_flux,) * 3),
+    ("ball_lens", "caustic", "centroid.u"): lambda: mpf(0),
+    ("ball_lens", "caustic", "centroid.v"): lambda: mpf(0),
+    ("ball_lens", "caustic", "r50"): lambda: ball_lens.radius_of_share(mpf("0.5"), OUTER, CROWN, DROP),
+    ("ball_lens", "caustic", "r90"): lambda: ball_lens.radius_of_share(mpf("0.9"), OUTER, CROWN, DROP),
+}
+
+CONSTANTS: dict[str, Computed] = {
+    "slab_reflectance_60": lambda: slabs.fresnel(CROWN, 60),
+    "stack_of_five_at_30": lambda: slabs.slab(CROWN, 30, panes=5),
+    "absorbing_slab_at_60": lambda: slabs.slab(CROWN, 60, depth=mpf("0.5")),
+    "pane_with_paper_weights": lambda: slabs.weighted_pane("0.8", "0.1"),
+    "slab_sideways_at_60": lambda: slabs.sideways(CROWN, 60, 1),
+    "slab_apparent_shift_at_60": lambda: slabs.apparent_shift(CROWN, 60, 1),
+    **{
+        f"prism_60_at_55_{band}": lambda n=n: prisms.deviation_deg(mpf(n), 60, 55)
+        for band, n in (("red", "1.6"), ("yellow", "1.632"), ("green", "1.664"), ("blue", "1.696"))
+    },
+    **{
+        f"prism_60_least_{band}": lambda n=n: prisms.least_deviation_deg(mpf(n), 60)
+        for band, n in (("red", "1.6"), ("yellow", "1.632"), ("green", "1.664"), ("blue", "1.696"))
+    },
+    "rainbow_primary": lambda: prisms.rainbow_deg(mpf("1.333"), 1),
+    "rainbow_secondary": lambda: prisms.rainbow_deg(mpf("1.333"), 2),
+    "disc_lamp_on_axis": lambda: area_lights.disc_irradiance(1, mpf("0.5"), 2),
+    "rectangle_lamp_below_centre": lambda: area_lights.rectangle_irradiance(1, mpf("0.5"), mpf("0.3"), 2),
+    "penumbra_of_a_straight_edge": lambda: area_lights.straight_penumbra_width(mpf("0.1"), 2, mpf("0.5")),
+    "rough_05_mean_tangent": lambda: rough.mean_tangent(mpf("0.5")),
+    "rough_05_rms_tangent": lambda: rough.mean_square_tangent(mpf("0.5")) ** mpf("0.5"),
+    "rough_05_median_deg": lambda: rough.quantile_deg(mpf("0.5"), mpf("0.5")),
+    "rough_05_95_percent_deg": lambda: rough.quantile_deg(mpf("0.95"), mpf("0.5")),
+    "ball_lens_gain_at_02": lambda: ball_lens.irradiance_gain(mpf("0.2"), CROWN, DROP),
+    "ball_lens_flux_within_09_over_pi": lambda: ball_lens.flux_within(OUTER, CROWN, DROP) / pi,
+}
