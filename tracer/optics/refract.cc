@@ -4,16 +4,27 @@
 
 namespace vitrail {
 
+namespace {
+
+/// Above this eta, (1 - eta)(1 + eta) + (eta c1)^2 loses eta^2 units of rounding and 1 - (eta sin)^2 only eta; below
+/// it the two are equally good at all angles but the first is better near eta = 1.
+constexpr double kSteep = 2;
+
+}  // namespace
+
 Vec3 reflect(Vec3 direction, Vec3 normal) { return normalise(direction - normal * (2 * dot(direction, normal))); }
 
 Refraction refract(Vec3 direction, Vec3 facing_normal, const IndexPair& index) {
   Refraction result;
   result.cos_in = std::clamp(-dot(direction, facing_normal), 0.0, 1.0);
 
-  // Form the radicand from the difference of the indices, so that matched media bend nothing at any angle [O 2.3].
+  // Form the radicand from the difference of the indices, so that matched media bend nothing at any angle [O 2.3];
+  // far into the thinner medium light must arrive along the normal, and there the sine keeps the digits.
   const double eta = index.eta();
   const double one_minus_eta = index.step() / index.to;
-  const double k = one_minus_eta * (1 + eta) + (eta * result.cos_in) * (eta * result.cos_in);
+  const Vec3 along = direction + facing_normal * result.cos_in;
+  const double k = eta > kSteep ? 1 - eta * eta * length_squared(along)
+                                : one_minus_eta * (1 + eta) + (eta * result.cos_in) * (eta * result.cos_in);
   if (k < 0) {
     result.total = true;
     return result;
@@ -26,7 +37,7 @@ Refraction refract(Vec3 direction, Vec3 facing_normal, const IndexPair& index) {
     result.direction = direction;
     return result;
   }
-  result.direction = normalise((direction + facing_normal * result.cos_in) * eta - facing_normal * result.cos_out);
+  result.direction = normalise(along * eta - facing_normal * result.cos_out);
   return result;
 }
 
