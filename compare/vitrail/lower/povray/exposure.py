@@ -15,10 +15,14 @@ Triplet = tuple[float, float, float]
 
 @dataclass(frozen=True)
 class Exposure:
-    """``channel`` None shows all three; ``light_factor`` multiplies every radiance of the run's image."""
+    """``channel`` None shows all three; ``light_factor`` multiplies every radiance of the run's image.
+
+    A run of one channel stands for all of ``stands_for``, which the scene treats alike.
+    """
 
     channel: int | None = None
     light_factor: float = 1.0
+    stands_for: tuple[int, ...] = (0, 1, 2)
 
     def share(self, colour: Sequence[float]) -> Triplet:
         """A dimensionless colour (albedo, transmission) as this run sees it."""
@@ -34,7 +38,5 @@ class Exposure:
     @property
     def gain(self) -> Triplet:
         """What the run's image is multiplied by, per channel, before the runs of one half are added."""
-        if self.channel is None:
-            return (1 / self.light_factor,) * 3
-        red, green, blue = (1 / self.light_factor if index == self.channel else 0.0 for index in range(3))
+        red, green, blue = (1 / self.light_factor if index in self.stands_for else 0.0 for index in range(3))
         return (red, green, blue)

@@ -10,12 +10,12 @@ import math
 from dataclasses import dataclass
 from typing import assert_never
 
-from vitrail.lower.povray.distances import distance_to_surface
 from vitrail.lower.povray.exposure import Exposure, Triplet
 from vitrail.lower.povray.normalise import Normalisation
 from vitrail.lower.povray.refusal import NotTranslatable, Refusals
 from vitrail.lower.povray.sdl import block, number, rgb, vector
 from vitrail.scene.diagnostic import Diagnostic
+from vitrail.scene.distance import distance_to_surface
 from vitrail.scene.model import Area, Directional, Environment, Light, Point, Scene, Spot
 from vitrail.scene.vector import Vec, scale, unit
 
@@ -71,8 +71,9 @@ def _source(light: Light, index: int, scene: Scene, units: Normalisation, refusa
 
 def _fade(light: Light, index: int, position: Vec, scene: Scene, units: Normalisation, refusals: Refusals) -> float:
     """The fade distance of a lamp, units, from its nearest surface."""
-    nearest = min((distance_to_surface(item, position) for item in scene.objects), default=math.inf)
-    reach = units.length(nearest if math.isfinite(nearest) else 1 / units.scale)
+    distances = [distance_to_surface(item, position) for item in scene.objects]
+    nearest = min((distance for distance in distances if distance is not None), default=1 / units.scale)
+    reach = units.length(nearest)
     if reach <= NEAREST_SURFACE:
         what = f"the lamp is {nearest:.3g} m from a surface, nearer than POV-Ray's shadow rays can tell"
         raise NotTranslatable([refusals.at(what, "move the lamp away from the surface", "lights", index, light.kind)])

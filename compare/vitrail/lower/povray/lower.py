@@ -14,26 +14,22 @@ from vitrail.lower.povray.camera import HALF_SHIFTS, camera_sdl
 from vitrail.lower.povray.certificate import Certificate
 from vitrail.lower.povray.depth import TraceDepth, trace_depth
 from vitrail.lower.povray.exposure import Exposure, Triplet
+from vitrail.lower.povray.gaps import Placement, with_gaps
+from vitrail.lower.povray.light_factor import light_factor
 from vitrail.lower.povray.lights import Source, light_sdl, sources
-from vitrail.lower.povray.materials import Surface, texture_sdl
 from vitrail.lower.povray.modes import Mode, mode_of
 from vitrail.lower.povray.normalise import Normalisation, normalise
-from vitrail.lower.povray.photons import PhotonPass, light_factor, photon_pass
+from vitrail.lower.povray.objects import ObjectText
+from vitrail.lower.povray.photons import PhotonPass, photon_pass
 from vitrail.lower.povray.refusal import Refusals
-from vitrail.lower.povray.residuals import certificate_of
+from vitrail.lower.povray.residuals import ADC_BAILOUT, Translation, certificate_of
 from vitrail.lower.povray.sdl import block, number, rgb
-from vitrail.lower.povray.shapes import primitive
 from vitrail.lower.povray.support import refuse_unsupported
 from vitrail.plan.budget import Settings
 from vitrail.plan.plan import Plan
-from vitrail.scene.print import scene_hash
 from vitrail.scene.load import Loaded
-from vitrail.scene.model import Ambient, Material, Object, Scene
-from vitrail.scene.phenomenon import Phenomenon
-from vitrail.scene.placement import place
-
-ADC_BAILOUT = 1e-6
-"""Path weight below which POV-Ray gives up; the default of 1/255 turns glass black [P 4.3]."""
+from vitrail.scene.model import Ambient, Scene
+from vitrail.scene.print import scene_hash
 
 
 @dataclass(frozen=True)
@@ -83,6 +79,8 @@ class _Parts:
     lights: tuple[Source, ...]
     photons: PhotonPass | None
     depth: TraceDepth
+    placement: Placement
+    objects: ObjectText
 
 
 def lower_povray(scene: Scene, plan: Plan, settings: Settings, loaded: Loaded | None = None) -> PovrayScene:
@@ -92,7 +90,9 @@ def lower_povray(scene: Scene, plan: Plan, settings: Settings, loaded: Loaded | 
     units = normalise(scene, refusals)
     lights = sources(scene, units, refusals)
     photons = photon_pass(scene, plan, settings, lights, units, refusals)
-    parts = _Parts(scene, plan, units, lights, photons, trace_depth(plan))
+    depth, placement = trace_depth(plan), with_gaps(scene, units)
+    objects = ObjectText(scene, plan, units, has_photons=photons is not None)
+    parts = _Parts(scene, plan, units, lights, photons, depth, placement, objects)
     mode = mode_of(scene, settings, photons)
     return PovrayScene(
         title=scene.title,
@@ -100,7 +100,7 @@ def lower_povray(scene: Scene, plan: Plan, settings: Settings, loaded: Loaded | 
         width=scene.image.width,
         height=scene.image.height,
         runs=tuple(_runs(parts, mode, settings)),
-        certificate=certificate_of(scene, plan, mode, units, lights, photons, parts.depth),
+        certificate=certificate_of(Translation(scene, plan, mode, units, lights, photons, depth, placement.shrunk)),
         normalisation=units,
         settings=settings,
         mode=mode,
@@ -114,12 +114,11 @@ def _runs(parts: _Parts, mode: Mode, settings: Settings) -> list[PovrayRun]:
     image = parts.scene.image
     found = []
     for half in HALF_SHIFTS:
-        for channel in mode.channels:
-            exposure = Exposure(channel)
-            factor = light_factor(parts.scene, parts.lights, parts.photons, exposure, parts.units)
-            exposure = replace(exposure, light_factor=factor)
+        for shown in mode.exposures:
+            factor = light_factor(parts.scene, parts.lights, parts.photons, shown)
+            exposure = replace(shown, light_factor=factor)
             shoots = parts.photons is not None and has_light(parts.lights, exposure)
-            name = half if channel is None else f"{half}_{('red', 'green', 'blue')[channel]}"
+            name = half + _suffix(exposure)
             found.append(
                 PovrayRun(
                     name=name,
@@ -135,6 +134,13 @@ def _runs(parts: _Parts, mode: Mode, settings: Settings) -> list[PovrayRun]:
                 )
             )
     return found
+
+
+def _suffix(exposure: Exposure) -> str:
+    """The channels that a run stands for, in its name; nothing where it shows them all in colour."""
+    if exposure.channel is None:
+        return ""
+    return "_" + "_".join(("red", "green", "blue")[index] for index in exposure.stands_for)
 
 
 def has_light(lights: Sequence[Source], exposure: Exposure) -> bool:
@@ -153,7 +159,8 @@ def _scene_sdl(parts: _Parts, half: str, exposure: Exposure, samples_across: int
         camera_sdl(scene.camera, scene.image, samples_across, HALF_SHIFTS[half], parts.units),
     ]
     lines += [light_sdl(source, exposure) for source in parts.lights if max(exposure.share(source.strength)) > 0]
-    lines += [_object_sdl(item, parts, exposure) for item in scene.objects]
+    placed = parts.placement.placed
+    lines += [parts.objects.sdl(item, shape, exposure) for item, shape in zip(scene.objects, placed, strict=True)]
     return "\n".join(lines) + "\n"
 
 
@@ -177,52 +184,3 @@ def _ambient(scene: Scene, exposure: Exposure) -> str:
         return ""
     red, green, blue = exposure.light(indirect.ambient)
     return f"ambient_light {rgb((red / math.pi, green / math.pi, blue / math.pi))}"
-
-
-def _object_sdl(item: Object, parts: _Parts, exposure: Exposure) -> str:
-    material, placed = parts.scene.material_of(item), place(item)
-    shape = primitive(placed, parts.units)
-    texture = texture_sdl(Surface(material, placed, exposure, parts.units))
-    return block(
-        shape.keyword, [*shape.parts, texture, _interior(material, parts, exposure), _targets(material, parts)]
-    )
-
-
-def _interior(material: Material, parts: _Parts, exposure: Exposure) -> str:
-    """The index where light enters or Fresnel asks for it, and the absorption where the plan wants it."""
-    if not material.is_transmissive and not (material.fresnel and material.is_specular):
-        return ""
-    assert material.ior is not None
-    absorbing = material.is_transmissive and parts.plan.requires(Phenomenon.ABSORPTION)
-    fade = _fade(exposure.share(absorption_per_unit(material, parts.units))) if absorbing else ""
-    return block("interior", [f"ior {number(material.ior)}", fade])
-
-
-def absorption_per_unit(material: Material, units: Normalisation) -> Triplet:
-    """Beer-Lambert coefficients per unit of length."""
-    if material.absorption_per_m is not None:
-        found = material.absorption_per_m
-    elif material.attenuation is not None:
-        red, green, blue = (-math.log(each) / material.attenuation.distance for each in material.attenuation.color)
-        found = (red, green, blue)
-    else:
-        found = (0.0, 0.0, 0.0)
-    return (found[0] / units.scale, found[1] / units.scale, found[2] / units.scale)
-
-
-def _fade(per_unit: Triplet) -> str:
-    """exp(-(1 - fade_color) x / fade_distance), which is Beer-Lambert with fade_color = 1 - sigma [P 3.3]."""
-    if max(per_unit) == 0:
-        return ""
-    remaining = (1 - per_unit[0], 1 - per_unit[1], 1 - per_unit[2])
-    return f"fade_distance 1 fade_power 1001 fade_color {rgb(remaining)}"
-
-
-def _targets(material: Material, parts: _Parts) -> str:
-    """Photons are aimed at everything specular; only what scatters collects them."""
-    if parts.photons is None or not material.is_specular:
-        return ""
-    refraction = "on" if material.is_transmissive else "off"
-    reflection = "on" if max(material.reflection) > 0 or material.fresnel else "off"
-    collect = "" if material.is_diffuse else "collect off"
-    return block("photons", ["target", f"refraction {refraction}", f"reflection {reflection}", collect])

@@ -2,55 +2,100 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
+from dataclasses import dataclass
 
 from vitrail.lower.povray.certificate import RELATIVE, Certificate, Entry
-from vitrail.lower.povray.depth import TraceDepth
+from vitrail.lower.povray.depth import LIMIT, TraceDepth
+from vitrail.lower.povray.exposure import Exposure, Triplet
+from vitrail.lower.povray.gaps import GAP, Shrunk
 from vitrail.lower.povray.lights import FADE_SHARE, Source
+from vitrail.lower.povray.materials import is_grey, specular_pool
 from vitrail.lower.povray.modes import Mode
 from vitrail.lower.povray.normalise import Normalisation
+from vitrail.lower.povray.photon_residuals import photon_entries
 from vitrail.lower.povray.photons import PhotonPass
 from vitrail.plan.plan import Plan
-from vitrail.scene.model import Scene
+from vitrail.scene.model import Material, Scene
 from vitrail.scene.phenomenon import Phenomenon
+from vitrail.scene.vector import length
 
 HALF_FLOAT = 4.9e-4
-"""Largest relative rounding of an 11-bit mantissa, half a step at the low end [P 6]."""
+"""Largest relative rounding of an 11-bit mantissa: half a step at its low end [P 6]."""
+ADC_BAILOUT = 1e-6
+"""Path weight below which POV-Ray gives up; the default of 1/255 turns glass black [P 4.3]."""
 
 
-def certificate_of(
-    scene: Scene,
-    plan: Plan,
-    mode: Mode,
-    units: Normalisation,
-    lights: Sequence[Source],
-    photons: PhotonPass | None,
-    depth: TraceDepth,
-) -> Certificate:
+@dataclass(frozen=True)
+class Translation:
+    """Everything that decides how exact a translation is."""
+
+    scene: Scene
+    plan: Plan
+    mode: Mode
+    units: Normalisation
+    lights: tuple[Source, ...]
+    photons: PhotonPass | None
+    depth: TraceDepth
+    shrunk: tuple[Shrunk, ...]
+
+
+def certificate_of(translation: Translation) -> Certificate:
     """Everything that differs, most general first."""
-    found = [
-        *_output(plan),
-        *_falloff(plan, lights),
-    ]
-    return Certificate(tuple(found))
+    return Certificate(
+        (
+            *_output(translation),
+            *_position(translation),
+            *_gaps(translation),
+            *_falloff(translation),
+            *_depth(translation),
+            *_pools(translation),
+            *photon_entries(
+                translation.scene, translation.plan, translation.mode, translation.units, translation.photons
+            ),
+        )
+    )
 
 
-def _output(plan: Plan) -> Iterator[Entry]:
+def _output(translation: Translation) -> Iterator[Entry]:
     for phenomenon in Phenomenon:
-        if plan.requires(phenomenon):
-            yield Entry(
-                phenomenon,
-                "image",
-                "radiance in double precision",
-                "half-float image",
-                HALF_FLOAT,
-                RELATIVE,
-                "POV-Ray's linear output has 11 bits a channel",
-            )
+        if translation.plan.requires(phenomenon):
+            meant, shown = "radiance in double precision", "half-float image"
+            reason = "POV-Ray's linear output has 11 bits a channel"
+            yield Entry(phenomenon, "image", meant, shown, HALF_FLOAT, RELATIVE, reason)
 
 
-def _falloff(plan: Plan, lights: Sequence[Source]) -> Iterator[Entry]:
-    for index, source in enumerate(lights, 1):
+def _position(translation: Translation) -> Iterator[Entry]:
+    """The scale is a power of two and loses nothing; a shift rounds once."""
+    units = translation.units
+    away = length(units.centre)
+    if away > 0:
+        yield Entry(
+            Phenomenon.REFRACTION,
+            "scene",
+            "coordinates as written",
+            f"moved by {away:.6g} m, times {units.scale:g}",
+            away * 2.0**-53,
+            "m",
+            "single-precision photons and absolute tolerances need the scene near the origin",
+        )
+
+
+def _gaps(translation: Translation) -> Iterator[Entry]:
+    for shrunk in translation.shrunk:
+        yield Entry(
+            Phenomenon.REFRACTION,
+            f"O{shrunk.index + 1}",
+            "touching surfaces",
+            f"a gap of {shrunk.depth_m:.3g} m",
+            shrunk.share,
+            RELATIVE,
+            f"POV-Ray loses one of two faces nearer than 1e-4 units; the solid shrinks by {GAP:g} units",
+        )
+
+
+def _falloff(translation: Translation) -> Iterator[Entry]:
+    for index, source in enumerate(translation.lights, 1):
         if source.fade_distance is not None:
             yield Entry(
                 Phenomenon.DIFFUSION,
@@ -59,5 +104,72 @@ def _falloff(plan: Plan, lights: Sequence[Source]) -> Iterator[Entry]:
                 "E = I / (r^2 + f^2)",
                 FADE_SHARE**2,
                 RELATIVE,
-                "POV-Ray has no unbounded inverse square; f is 1/1000 of the nearest surface's distance",
+                "POV-Ray has no unbounded inverse square; f is 1/1000 of the distance to the nearest surface",
             )
+
+
+def _depth(translation: Translation) -> Iterator[Entry]:
+    """Path weights below a limit, and limits of depth that count otherwise."""
+    plan, scene, depth = translation.plan, translation.scene, translation.depth
+    if not any(material.is_specular for material in scene.materials.values()):
+        return
+    shown = Phenomenon.REFRACTION if plan.requires(Phenomenon.REFRACTION) else Phenomenon.REFLECTION
+    reason = "branches of a path lighter than this are cut; each level of the path can lose one"
+    levels = max(1, min(depth.level, 16))
+    yield Entry(shown, "path", "every branch", f"weights above {ADC_BAILOUT:g}", ADC_BAILOUT * levels, RELATIVE, reason)
+    if depth.is_proven:
+        return
+    chain = plan.chain
+    share = max(_mirror_share(material) for material in scene.materials.values() if material.is_specular)
+    yield Entry(
+        shown,
+        "path",
+        f"at most {chain.reflections} reflections and {chain.transmissions} transmissions",
+        f"at most {depth.level} levels of both" + (f", POV-Ray's limit of {LIMIT}" if depth.wanted > LIMIT else ""),
+        min(1.0, share ** (chain.reflections + 1)),
+        RELATIVE,
+        "POV-Ray has one counter; light mirrored more often than the scene allows still counts",
+    )
+
+
+def _mirror_share(material: Material) -> float:
+    """What one reflection leaves at most of a path that also goes on by other ways: r, or R at normal incidence."""
+    if not material.fresnel:
+        return max(material.reflection)
+    index = material.ior or 1.0
+    return ((index - 1) / (index + 1)) ** 2
+
+
+def _pools(translation: Translation) -> Iterator[Entry]:
+    """Glass whose channels differ, in a run that shows all of them: total reflection and Fresnel miss s."""
+    if not translation.mode.shows_all_channels:
+        return
+    for index, material in enumerate(translation.scene.materials.values(), 1):
+        pool = specular_pool(material, Exposure())
+        if not material.is_transmissive or is_grey(pool):
+            continue
+        yield from _coloured_pool(index, material, pool)
+
+
+def _coloured_pool(index: int, material: Material, pool: Triplet) -> Iterator[Entry]:
+    least = min(pool)
+    yield Entry(
+        Phenomenon.TOTAL_INTERNAL_REFLECTION,
+        f"M{index}",
+        "total reflection keeps r + t",
+        "total reflection keeps 1",
+        1 - least,
+        RELATIVE,
+        "POV-Ray does not colour total reflection; render one channel at a time to have it exact",
+    )
+    if material.fresnel:
+        normal = _mirror_share(material)
+        yield Entry(
+            Phenomenon.COLOURED_TRANSMISSION,
+            f"M{index}",
+            "s (1 - R)",
+            "s (1 - s R)",
+            normal * (1 - least) / (1 - normal),
+            RELATIVE,
+            "conserve_energy takes the mirrored colour, s R, for R; given at normal incidence, two faces count twice",
+        )

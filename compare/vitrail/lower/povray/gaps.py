@@ -1,0 +1,118 @@
+"""Room between surfaces that touch: POV-Ray loses one of two faces nearer than 1e-4 units [P 7].
+
+A glass solid that touches another surface, or comes nearer than ``NEAR``, shrinks about its own middle until the gap
+is ``GAP``. Light then crosses a layer of air, as it does in the scene, where touching faces have nothing between them.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import assert_never
+
+from vitrail.lower.povray.normalise import Normalisation, thickness_of
+from vitrail.lower.povray.surface_points import surface_points
+from vitrail.scene.distance import distance_to_surface
+from vitrail.scene.model import Box, Cone, Cylinder, Disc, Lens, Mesh, Object, Plane, Prism, Rectangle, Scene, Sphere
+from vitrail.scene.placement import Frame, Placed, place
+from vitrail.scene.vector import Vec, add, scale, subtract, unit
+
+NEAR = 2e-3
+"""Units below which a gap counts as a touch: twice the tolerance of shadow rays [P 7]."""
+GAP = 2.5e-3
+"""Units of air that a touch becomes."""
+
+
+@dataclass(frozen=True)
+class Shrunk:
+    """One object that was made smaller by ``depth_m`` all round, which is ``share`` of its thickness."""
+
+    index: int
+    depth_m: float
+    share: float
+
+
+@dataclass(frozen=True)
+class Placement:
+    """Every object where POV-Ray gets it, in the scene's order."""
+
+    placed: tuple[Placed, ...]
+    shrunk: tuple[Shrunk, ...]
+
+
+def with_gaps(scene: Scene, units: Normalisation) -> Placement:
+    """Shrink every transmissive solid that touches something else."""
+    found: list[Placed] = []
+    shrunk: list[Shrunk] = []
+    for index, item in enumerate(scene.objects):
+        placed = place(item)
+        others = [other for position, other in enumerate(scene.objects) if position != index]
+        if scene.material_of(item).is_transmissive and _touches_any(item, others, NEAR / units.scale):
+            depth = GAP / units.scale
+            smaller = _smaller(placed, depth)
+            if smaller is not None:
+                shrunk.append(Shrunk(index, depth, 2 * depth / thickness_of(placed.shape)))
+                placed = smaller
+        found.append(placed)
+    return Placement(tuple(found), tuple(shrunk))
+
+
+def _touches_any(item: Object, others: list[Object], near_m: float) -> bool:
+    return any(surface_distance(item, other) < near_m for other in others)
+
+
+def surface_distance(a: Object, b: Object) -> float:
+    """The least distance found between the surfaces of two objects, metres; infinite with a mesh."""
+    placed_a, placed_b = place(a), place(b)
+    from_a = [distance_to_surface(b, point) for point in surface_points(placed_a, placed_b)]
+    from_b = [distance_to_surface(a, point) for point in surface_points(placed_b, placed_a)]
+    return min((each for each in [*from_a, *from_b] if each is not None), default=math.inf)
+
+
+def _smaller(placed: Placed, depth: float) -> Placed | None:
+    """The shape with its surface moved inwards by ``depth`` metres; None for what is no solid."""
+    shape = placed.shape
+    match shape:
+        case Sphere():
+            return Placed(shape.model_copy(update={"radius": shape.radius - depth}), placed.frame)
+        case Box():
+            margin = (depth, depth, depth)
+            update = {"min": add(shape.min, margin), "max": subtract(shape.max, margin)}
+            return Placed(shape.model_copy(update=update), placed.frame)
+        case Cylinder():
+            inward = scale(unit(subtract(shape.to, shape.from_)), depth)
+            ends = {"from_": add(shape.from_, inward), "to": subtract(shape.to, inward)}
+            return Placed(shape.model_copy(update={**ends, "radius": shape.radius - depth}), placed.frame)
+        case Cone() | Prism() | Lens():
+            return _scaled(placed, 1 - 2 * depth / thickness_of(shape))
+        case Plane() | Rectangle() | Disc() | Mesh():
+            return None
+        case _:
+            assert_never(shape)
+
+
+def _scaled(placed: Placed, factor: float) -> Placed:
+    """A cone, prism or lens scaled about its middle."""
+    shape = placed.shape
+    match shape:
+        case Cone():
+            middle = scale(add(shape.from_, shape.to), 0.5)
+
+            def moved(point: Vec) -> Vec:
+                return add(middle, scale(subtract(point, middle), factor))
+
+            ends = {"from_": moved(shape.from_), "to": moved(shape.to)}
+            radii = {"radius_from": shape.radius_from * factor, "radius_to": shape.radius_to * factor}
+            return Placed(shape.model_copy(update={**ends, **radii}), placed.frame)
+        case Prism():
+            corners = shape.corners
+            x, y = (sum(corner[axis] for corner in corners) / len(corners) for axis in (0, 1))
+            profile = tuple(((a - x) * factor + x, (b - y) * factor + y) for a, b in corners)
+            smaller = Prism(height=shape.height * factor, profile=profile)
+            return Placed(smaller, placed.frame)
+        case Lens():
+            lengths = ("radius_front", "radius_back", "thickness", "diameter")
+            update = {key: getattr(shape, key) * factor for key in lengths}
+            return Placed(shape.model_copy(update=update), Frame(placed.frame.origin, placed.frame.rotation))
+        case _:
+            raise ValueError(f"a {type(shape).__name__} is not scaled here")

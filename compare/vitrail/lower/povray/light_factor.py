@@ -1,0 +1,60 @@
+"""The factor on all light of a run: images near 1, and photons whose flux POV-Ray stores exactly.
+
+Without photons it is a power of two, so that undoing it loses nothing. With photons it makes the flux of the main path
+a power of two, lifted a hair above, because storing truncates to 8 bits. Where the flux can only fall along the path
+(Fresnel, absorption), it is set just under the next power of two, where a step is smallest.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from vitrail.lower.povray.exposure import Exposure, Triplet
+from vitrail.lower.povray.lights import Source
+from vitrail.lower.povray.photons import FLUX_LIMIT, PhotonPass, has_exact_flux, main_path_share, photon_flux
+from vitrail.scene.model import Checker, Material, Scene
+
+ABOVE_THE_STEP = 1 + 2e-6
+"""Lifts a flux over its truncation step by more than single precision may lower it."""
+UNDER_THE_NEXT = 2 * (1 - 2**-12)
+"""Puts a flux that varies downwards where 8 bits are finest: a loss of at most 1/255 at first."""
+
+
+def light_factor(scene: Scene, lights: Sequence[Source], photons: PhotonPass | None, exposure: Exposure) -> float:
+    """The factor for one run."""
+    brightest = max((max(exposure.share(source.strength)) * _nearness(source) for source in lights), default=0.0)
+    glow = max((max(exposure.share(_peak(m))) for m in scene.materials.values() if m.emission is not None), default=0.0)
+    peak = max(brightest, glow)
+    if peak == 0:
+        return 1.0
+    factor = 2.0 ** round(-math.log2(peak))
+    if photons is None or brightest == 0:
+        return factor
+    main = max(
+        photon_flux(source, ball, photons.spacing["a"], max(exposure.share(source.strength)))
+        for source in lights
+        for ball in photons.targets
+    )
+    # Choose the power of two that changes the factor least and keeps the largest flux below the limit.
+    stored = main * main_path_share(scene, exposure)
+    target = 2.0 ** round(math.log2(stored * factor))
+    while main * target / stored > FLUX_LIMIT:
+        target /= 2
+    mantissa = ABOVE_THE_STEP if has_exact_flux(scene, len(photons.targets)) else UNDER_THE_NEXT
+    return target * mantissa / stored
+
+
+def _nearness(source: Source) -> float:
+    """Lamps count at ten units' distance, suns as they are."""
+    return 1.0 if source.direction is not None else 0.01
+
+
+def _peak(material: Material) -> Triplet:
+    """The brightest emission of a material, checker or not."""
+    emission = material.emission
+    assert emission is not None
+    if isinstance(emission, Checker):
+        first, second = emission.checker.colors
+        return (max(first[0], second[0]), max(first[1], second[1]), max(first[2], second[2]))
+    return emission

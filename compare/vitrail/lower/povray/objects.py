@@ -1,0 +1,65 @@
+"""One object of the scene as POV-Ray text: shape, texture, inside, and what photons do with it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from vitrail.lower.povray.exposure import Exposure, Triplet
+from vitrail.lower.povray.materials import Surface, texture_sdl
+from vitrail.lower.povray.normalise import Normalisation
+from vitrail.lower.povray.sdl import block, number, rgb
+from vitrail.lower.povray.shapes import primitive
+from vitrail.plan.plan import Plan
+from vitrail.scene.absorption import absorption_per_m
+from vitrail.scene.model import Material, Object, Scene
+from vitrail.scene.phenomenon import Phenomenon
+from vitrail.scene.placement import Placed
+
+
+@dataclass(frozen=True)
+class ObjectText:
+    """What turns the objects of one scene into text; ``has_photons`` makes specular ones the targets of photons."""
+
+    scene: Scene
+    plan: Plan
+    units: Normalisation
+    has_photons: bool
+
+    def sdl(self, item: Object, placed: Placed, exposure: Exposure) -> str:
+        """The object in one run; ``placed`` is its shape, where a gap has been opened already."""
+        material = self.scene.material_of(item)
+        shape = primitive(placed, self.units)
+        texture = texture_sdl(Surface(material, placed, exposure, self.units))
+        return block(
+            shape.keyword, [*shape.parts, texture, self._interior(material, exposure), self._photons(material)]
+        )
+
+    def _interior(self, material: Material, exposure: Exposure) -> str:
+        """The index where light enters or Fresnel asks for it, and the absorption where the plan wants it."""
+        if not material.is_transmissive and not (material.fresnel and material.is_specular):
+            return ""
+        assert material.ior is not None
+        absorbing = material.is_transmissive and self.plan.requires(Phenomenon.ABSORPTION)
+        fade = _fade(exposure.share(self._absorption_per_unit(material))) if absorbing else ""
+        return block("interior", [f"ior {number(material.ior)}", fade])
+
+    def _absorption_per_unit(self, material: Material) -> Triplet:
+        red, green, blue = absorption_per_m(material)
+        return (red / self.units.scale, green / self.units.scale, blue / self.units.scale)
+
+    def _photons(self, material: Material) -> str:
+        """Photons are aimed at everything specular; only what scatters collects them."""
+        if not self.has_photons or not material.is_specular:
+            return ""
+        refraction = "on" if material.is_transmissive else "off"
+        reflection = "on" if max(material.reflection) > 0 or material.fresnel else "off"
+        collect = "" if material.is_diffuse else "collect off"
+        return block("photons", ["target", f"refraction {refraction}", f"reflection {reflection}", collect])
+
+
+def _fade(per_unit: Triplet) -> str:
+    """exp(-(1 - fade_color) x / fade_distance), which is Beer-Lambert with fade_color = 1 - sigma [P 3.3]."""
+    if max(per_unit) == 0:
+        return ""
+    remaining = (1 - per_unit[0], 1 - per_unit[1], 1 - per_unit[2])
+    return f"fade_distance 1 fade_power 1001 fade_color {rgb(remaining)}"

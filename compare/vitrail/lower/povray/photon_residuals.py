@@ -1,0 +1,66 @@
+"""What the photons of POV-Ray do differently, as entries of the certificate."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from vitrail.lower.povray.certificate import RELATIVE, Entry
+from vitrail.lower.povray.modes import Mode
+from vitrail.lower.povray.normalise import Normalisation
+from vitrail.lower.povray.photons import PhotonPass, has_exact_flux
+from vitrail.plan.plan import Plan
+from vitrail.scene.model import Scene
+from vitrail.scene.phenomenon import Phenomenon
+
+ONE_STEP = 1 / 128
+"""Largest loss of a truncated 8-bit mantissa, at its low end; the mean over many fluxes is 0.27 %."""
+GRAZING_DEG = 84.3
+"""Beyond this angle POV-Ray weighs photons by ten instead of 1 / cos [P 2.3]."""
+
+
+def photon_entries(
+    scene: Scene, plan: Plan, mode: Mode, units: Normalisation, photons: PhotonPass | None
+) -> Iterator[Entry]:
+    """Storage, kernel and incidence; nothing without photons."""
+    if photons is None:
+        return
+    caustic = Phenomenon.CAUSTIC
+    loss = 0.0 if has_exact_flux(scene, len(photons.targets)) else ONE_STEP
+    reason = "the light factor makes the main path's flux exact" if loss == 0 else "fluxes vary, up to one step is lost"
+    yield Entry(caustic, "photons", "flux in double precision", "8 bits, truncated", loss, RELATIVE, reason)
+    if mode.shows_all_channels and (ratio := _channel_ratio(scene)) > 1:
+        reason = "channels share one exponent; the dimmest is rounded down by up to a step of the brightest"
+        yield Entry(caustic, "photons", "each channel apart", "one exponent", min(1.0, ratio / 128), RELATIVE, reason)
+    yield Entry(
+        caustic,
+        "kernel",
+        "irradiance at a point",
+        "mean over a disc, the same in both engines",
+        photons.gather_radius / units.scale,
+        "m",
+        "the estimate blurs by the gather radius; between the engines the blur is the same",
+    )
+    yield Entry(
+        caustic,
+        "kernel",
+        f"1 / cos beyond {GRAZING_DEG} deg",
+        "10",
+        GRAZING_DEG,
+        "deg",
+        "photons that graze a surface count too little from this angle on",
+    )
+
+
+def _channel_ratio(scene: Scene) -> float:
+    """Brightest over dimmest channel of what photons may carry: lights times the faces of glass and mirrors."""
+    colours = []
+    for light in scene.lights:
+        emitter = light.emitter
+        colours += [value for key in ("irradiance", "intensity", "radiance") if (value := getattr(emitter, key, None))]
+    ratio = max((max(colour) / min(colour) if min(colour) > 0 else 128.0 for colour in colours), default=1.0)
+    for material in scene.materials.values():
+        if material.is_specular:
+            for share in (material.transmission, material.reflection):
+                if max(share) > 0:
+                    ratio *= (max(share) / min(share) if min(share) > 0 else 128.0) ** 2
+    return ratio
