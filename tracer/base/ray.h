@@ -1,9 +1,14 @@
 #pragma once
 /// A half line: where light comes from or where a look goes to.
 
+#include <limits>
+
 #include "base/vec3.h"
 
 namespace vitrail {
+
+/// The distance of what is never met.
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct Ray {
   Vec3 origin;

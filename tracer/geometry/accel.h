@@ -31,7 +31,8 @@ class Intersector {
   /// Whether any surface lies strictly between the origin and t_max along the ray (infinity for a directional light).
   bool occluded(const Ray& ray, const Departures& departures, double t_max) const;
 
-  /// The transmissive solids that contain a point: where a camera or light ray starts.
+  /// The transmissive solids that contain a point: where a camera or light ray starts. Opaque solids count as hollow,
+  /// so that a box may be a room.
   MediumSet media_at(Vec3 point) const;
 
   /// The box around all finite shapes; empty if there is none.

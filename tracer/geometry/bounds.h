@@ -2,15 +2,13 @@
 /// Boxes along the axes.
 
 #include <algorithm>
-#include <limits>
 
 #include "base/frame.h"
+#include "base/ray.h"
 
 namespace vitrail {
 
 struct Bounds {
-  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
   Vec3 min{kInfinity, kInfinity, kInfinity}, max{-kInfinity, -kInfinity, -kInfinity};
 
   static Bounds everywhere() { return {{-kInfinity, -kInfinity, -kInfinity}, {kInfinity, kInfinity, kInfinity}}; }

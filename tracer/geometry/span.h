@@ -3,14 +3,11 @@
 /// what goes in also comes out: rounding may move an event, never lose one.
 
 #include <cstdint>
-#include <limits>
 
 #include "base/ray.h"
 #include "geometry/hit.h"
 
 namespace vitrail {
-
-inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// A surface met at distance t: the answer of one shape.
 struct ShapeHit {

@@ -25,7 +25,6 @@ Window upstream_window(const Target& target, Vec3 direction, const Sphere& surro
 }  // namespace
 
 Illumination illuminate(const DirectionalLight& light, Vec3, LightSample sample) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   if (light.angular_diameter_deg == 0) return {-light.direction, kInfinity, light.irradiance};
   const double one_minus_cos = one_minus_cos_of_sun(light);
   const Vec3 toward = in_cone(-light.direction, one_minus_cos, sample[0], sample[1]);

@@ -191,8 +191,8 @@ Arrival advance(const Scene& scene, const Intersector& intersector, const Ray& s
     const Rgb absorption = medium == kAir ? Rgb{} : scene.material_of(medium).absorption_per_m;
     if (!intersector.closest(ray, left, arrival.hit)) {
       arrival.escaped = true;
-      arrival.distance = kEndless;
-      arrival.transmittance *= transmittance(absorption, kEndless);
+      arrival.distance = kInfinity;
+      arrival.transmittance *= transmittance(absorption, kInfinity);
       return arrival;
     }
     arrival.distance += arrival.hit.t;

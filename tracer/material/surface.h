@@ -2,7 +2,6 @@
 /// What one hit does with light: the same answer for camera rays and photons.
 
 #include <cstdint>
-#include <limits>
 
 #include "geometry/accel.h"
 
@@ -47,14 +46,11 @@ Interaction interact(const Scene& scene, const Hit& hit, Vec3 direction, const M
 /// The index of the medium a set rules, for the radiance factor (n_camera / n_here)^2 of surfaces inside glass.
 double ior_in(const Scene& scene, const MediumSet& media, std::uint32_t band);
 
-/// The distance of an escaped ray.
-inline constexpr double kEndless = std::numeric_limits<double>::infinity();
-
 /// The next hit that is an event, walking straight over interfaces that change nothing.
 struct Arrival {
   bool escaped = false;
   Hit hit;                     // hit.point is the event; hit.t the length of the last straight piece only
-  double distance = 0;         // whole way, metres
+  double distance = 0;         // whole way, metres; infinite if escaped
   Rgb transmittance{1, 1, 1};  // Beer-Lambert of the whole way in the media passed
   MediumSet media;             // at arrival, before the surface
   Interaction event;

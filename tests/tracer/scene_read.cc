@@ -1,0 +1,241 @@
+/// Reading a lowered scene: what is right comes through unchanged, every fault is named by its path.
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "base/diagnostic.h"
+#include "build_scene.h"
+#include "scene/centre.h"
+#include "scene/read.h"
+
+namespace vitrail {
+namespace {
+
+const std::string kScene = R"({
+  "vitrail_lowered": 1, "title": "test", "scene_hash": "abc",
+  "image": {"width": 4, "height": 3},
+  "camera": {"kind": "perspective", "position": [0, 1, 5], "forward": [0, 0, -1], "right": [1, 0, 0], "up": [0, 1, 0],
+             "half_width": 0.5, "half_height": 0.375},
+  "bands": [{"name": "all", "weight": [1, 1, 1], "wavelength_nm": null}],
+  "materials": [
+    {"name": "clear", "diffuse": [0, 0, 0], "reflection": [0.1, 0.1, 0.1], "transmission": [0.9, 0.9, 0.9],
+     "ior_by_band": [1.5], "ior_minus_one_by_band": [0.5], "camera_ior": 1.5, "fresnel": true,
+     "absorption_per_m": [0, 0, 0], "emission": [0, 0, 0], "roughness": {"kind": "none"}},
+    {"name": "squares", "diffuse": {"checker": {"colors": [[1, 0, 0], [0, 1, 0]], "size": 0.5}},
+     "reflection": [0, 0, 0], "transmission": [0, 0, 0], "ior_by_band": [1], "ior_minus_one_by_band": [0],
+     "camera_ior": 1, "fresnel": false, "absorption_per_m": [0, 0, 0], "emission": [0, 0, 0],
+     "roughness": {"kind": "equation_8", "value": 0.25}}],
+  "objects": [
+    {"name": "ball", "material": 0, "priority": 3, "shape": {"kind": "sphere", "center": [0, 1, 0], "radius": 0.5}},
+    {"name": "floor", "material": 1, "priority": 0, "shape": {"kind": "plane", "point": [0, 0, 0], "normal": [0, 1, 0]}},
+    {"name": "lens", "material": 0, "priority": 0, "shape": {"kind": "lens", "radius_front": 2, "radius_back": -3,
+      "thickness": 0.3, "diameter": 1,
+      "frame": {"origin": [4, 0, 0], "rotation": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "identity": true}}},
+    {"name": "prism", "material": 0, "priority": 0, "shape": {"kind": "prism",
+      "corners": [[-1, 0], [1, 0], [0, 1]], "height": 2,
+      "frame": {"origin": [8, 0, 0], "rotation": [[0, -1, 0], [1, 0, 0], [0, 0, 1]], "identity": false}}}],
+  "lights": [
+    {"name": "sun", "kind": "directional", "direction": [0, -1, 0], "irradiance": [3, 3, 3], "angular_diameter_deg": 0},
+    {"name": "lamp", "kind": "area", "radiance": [1, 2, 3],
+     "shape": {"kind": "disc", "center": [0, 4, 0], "normal": [0, -1, 0], "radius": 0.5}},
+    {"name": "sky", "kind": "environment", "radiance": [1, 1, 1]}],
+  "transport": {"indirect": {"ambient": [0.1, 0.1, 0.1]}, "max_reflections": 8, "max_transmissions": 64},
+  "paper": {"tir": "drop", "refraction": "corrected", "literal_sum": false, "dispersion": "span",
+            "dispersion_reference": "middle", "disperse_camera": false, "rough_samples": 2},
+  "plan": {"diffusion": true, "reflection": true, "refraction": true, "total_internal_reflection": true,
+           "coloured_transmission": true, "absorption": false, "caustic": true, "roughness": false,
+           "dispersion": false, "shadow": true, "indirect_light": false},
+  "settings": {"samples": 4, "photons": 1000, "gather_radius_m": 0.01, "seed": 18446744073709551615,
+               "rough_samples": 1, "final_gather_rays": 0, "memory_limit_mb": 4096, "solver": "auto"}
+})";
+
+std::string with(const std::string& old_part, const std::string& new_part) {
+  std::string text = kScene;
+  const std::size_t at = text.find(old_part);
+  EXPECT_NE(at, std::string::npos) << old_part;
+  return text.replace(at, old_part.size(), new_part);
+}
+
+std::string fault_of(const std::string& text) {
+  try {
+    parse_scene(text, ".");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(ReadScene, BringsEveryPartThrough) {
+  const Scene scene = parse_scene(kScene, "/folder");
+  EXPECT_EQ(scene.title, "test");
+  EXPECT_EQ(scene.scene_hash, "abc");
+  EXPECT_EQ(scene.image.width, 4);
+  EXPECT_EQ(scene.camera.position, (Vec3{0, 1, 5}));
+  EXPECT_EQ(scene.camera.half_height, 0.375);
+  ASSERT_EQ(scene.materials.size(), 2u);
+  EXPECT_TRUE(scene.materials[0].fresnel);
+  EXPECT_EQ(scene.materials[0].ior_minus_one_by_band, std::vector<double>{0.5});
+  EXPECT_EQ(std::get<Checker>(scene.materials[1].diffuse).size, 0.5);
+  EXPECT_EQ(std::get<Equation8>(scene.materials[1].roughness).value, 0.25);
+  ASSERT_EQ(scene.objects.size(), 4u);
+  EXPECT_EQ(scene.objects[0].priority, 3);
+  EXPECT_EQ(std::get<SphereShape>(scene.objects[0].shape).radius, 0.5);
+  EXPECT_EQ(std::get<LensShape>(scene.objects[2].shape).radius_back, -3);
+  EXPECT_TRUE(std::get<LensShape>(scene.objects[2].shape).frame.identity);
+  EXPECT_EQ(std::get<PrismShape>(scene.objects[3].shape).frame.direction_to_world({1, 0, 0}), (Vec3{0, 1, 0}));
+  EXPECT_EQ(std::get<DirectionalLight>(scene.lights[0].emitter).irradiance, (Rgb{3, 3, 3}));
+  EXPECT_EQ(std::get<DiscShape>(std::get<AreaLight>(scene.lights[1].emitter).shape).radius, 0.5);
+  EXPECT_EQ(scene.transport.indirect, Indirect::ambient);
+  EXPECT_TRUE(scene.paper.tir_drop);
+  EXPECT_TRUE(scene.paper.dispersion_span);
+  EXPECT_EQ(scene.paper.dispersion_reference, Paper::DispersionReference::middle);
+  EXPECT_FALSE(scene.plan.absorption);
+  EXPECT_TRUE(scene.plan.caustic);
+  EXPECT_EQ(scene.settings.seed, 18446744073709551615ull);
+  EXPECT_EQ(scene.settings.gather_radius_m, 0.01);
+}
+
+struct Fault {
+  const char *old_part, *new_part, *message;
+};
+
+class WrongScene : public testing::TestWithParam<Fault> {};
+
+TEST_P(WrongScene, IsRefusedByPath) {
+  const Fault& fault = GetParam();
+  const std::string message = fault_of(with(fault.old_part, fault.new_part));
+  EXPECT_EQ(message.substr(0, message.find('\n')), fault.message);
+}
+
+const Fault kFaults[] = {
+    {"\"vitrail_lowered\": 1", "\"vitrail_lowered\": 2",
+     "scene.vitrail_lowered: is 2; write a whole number from 1 to 1"},
+    {"\"width\": 4", "\"width\": 0", "scene.image.width: is 0; write a whole number from 1 to 16384"},
+    {"\"width\": 4", "\"width\": 4.5", "scene.image.width: is 4.5; write a whole number from 1 to 16384"},
+    {"\"width\": 4, ", "", "scene.image.width: is missing; add it"},
+    {"\"width\": 4", "\"width\": 4, \"depth\": 1", "scene.image.depth: is unknown; the keys here are width, height"},
+    {"\"right\": [1, 0, 0]", "\"right\": [-1, 0, 0]",
+     "scene.camera: has axes that are not right = forward x up; write an orthonormal, right-handed triple"},
+    {"\"forward\": [0, 0, -1]", "\"forward\": [0, 0, -2]",
+     "scene.camera.forward: has length 2.0; divide it by its length"},
+    {"\"half_width\": 0.5", "\"half_width\": 0", "scene.camera.half_width: is 0; write a finite number above 0.0"},
+    {"\"radius\": 0.5}},", "\"radius\": -0.5}},",
+     "scene.objects[0].shape.radius: is -0.5; write a finite number above 0.0"},
+    {"\"radius\": 0.5}},", "\"radius\": null}},",
+     "scene.objects[0].shape.radius: is null; write a finite number above 0.0"},
+    {"\"center\": [0, 1, 0]", "\"center\": [0, 1]",
+     "scene.objects[0].shape.center: is [0,1]; write a list of 3 values"},
+    {"\"material\": 0", "\"material\": 7", "scene.objects[0].material: is 7; write a whole number from 0 to 1"},
+    {"\"kind\": \"sphere\"", "\"kind\": \"ball\"",
+     "scene.objects[0].shape.kind: is \"ball\"; write one of sphere, plane, rectangle, disc, box, cylinder, cone, "
+     "prism, lens, mesh"},
+    {"\"transmission\": [0.9, 0.9, 0.9]", "\"transmission\": [0.9, 0.95, 0.9]",
+     "scene.materials[0]: makes light: diffuse + reflection + transmission is above 1; lower one of them"},
+    {"\"ior_by_band\": [1.5]", "\"ior_by_band\": [1.5, 1.6]",
+     "scene.materials[0].ior_by_band: is [1.5,1.6]; write a list of 1 values"},
+    {"\"ior_minus_one_by_band\": [0.5]", "\"ior_minus_one_by_band\": [0.6]",
+     "scene.materials[0].ior_minus_one_by_band: differs from ior_by_band - 1; write the same index in both"},
+    {"\"weight\": [1, 1, 1]", "\"weight\": [1, 0.5, 1]",
+     "scene.bands: have weights that do not add up to 1 in every channel; scale them"},
+    {"\"radius_front\": 2", "\"radius_front\": 0.4",
+     "scene.objects[2].shape: has a face whose radius is below half the diameter; enlarge the radius or reduce the "
+     "diameter"},
+    {"\"thickness\": 0.3", "\"thickness\": 0.001",
+     "scene.objects[2].shape: has faces that cross inside the rim; enlarge the thickness or reduce the diameter"},
+    {"[[0, -1, 0], [1, 0, 0], [0, 0, 1]]", "[[0, 1, 0], [1, 0, 0], [0, 0, 1]]",
+     "scene.objects[3].shape.frame.rotation: is not a rotation; write three rows of unit length, perpendicular, the "
+     "third the cross product"},
+    {"[[-1, 0], [1, 0], [0, 1]]", "[[1, 0], [-1, 0], [0, 1]]",
+     "scene.objects[3].shape.corners: is no polygon with a positive area; list at least three corners "
+     "counter-clockwise"},
+    {"{\"kind\": \"plane\", \"point\": [0, 0, 0], \"normal\": [0, 1, 0]}",
+     "{\"kind\": \"sphere\", \"center\": [0, 0, 0], \"radius\": 1}",
+     "scene.objects[1].shape: has a checker pattern but no surface coordinates; use a plane, rectangle or disc"},
+    {"{\"kind\": \"sphere\", \"center\": [0, 1, 0], \"radius\": 0.5}",
+     "{\"kind\": \"rectangle\", \"center\": [0, 1, 0], \"u\": [1, 0, 0], \"v\": [0, 1, 0]}",
+     "scene.objects[0].shape: transmits light but encloses nothing; use a box or another closed shape"},
+    {"\"indirect\": {\"ambient\": [0.1, 0.1, 0.1]}", "\"indirect\": \"some\"",
+     "scene.transport.indirect: is \"some\"; write one of none, photons"},
+    {"\"samples\": 4", "\"samples\": -1", "scene.settings.samples: is -1; write a whole number from 1 to 1048576"},
+    {"\"seed\": 18446744073709551615", "\"seed\": -1",
+     "scene.settings.seed: is -1; write a whole number from 0 to 18446744073709551615"},
+    {"\"shadow\": true", "\"shadow\": 1", "scene.plan.shadow: is 1; write true or false"},
+    {"\"title\": \"test\"", "\"title\": 5", "scene.title: is 5; write a text in quotes"},
+};
+
+INSTANTIATE_TEST_SUITE_P(Faults, WrongScene, testing::ValuesIn(kFaults));
+
+TEST(ReadScene, CollectsAllFaults) {
+  std::string text = with("\"width\": 4", "\"width\": 0");
+  text.replace(text.find("\"radius\": 0.5}},"), 16, "\"radius\": -1}},");
+  const std::string message = fault_of(text);
+  EXPECT_NE(message.find("scene.image.width"), std::string::npos);
+  EXPECT_NE(message.find("scene.objects[0].shape.radius"), std::string::npos);
+}
+
+TEST(ReadScene, RefusesWhatIsNoScene) {
+  for (const char* text : {"", "nonsense", "[1, 2]", "{}", "null", "{\"vitrail_lowered\": NaN}", "\x00\xff\xfe"})
+    EXPECT_NE(fault_of(text), "accepted") << text;
+  EXPECT_NE(fault_of(with("\"radius\": 0.5", "\"radius\": 1e999")), "accepted");
+  EXPECT_NE(fault_of(std::string(100000, '[')), "accepted");
+  EXPECT_THROW(read_scene("/does/not/exist.json"), InputError);
+}
+
+TEST(Texture, AlternatesInSquaresAlsoBelowZeroAndFarAway) {
+  const Texture squares = Checker{{Rgb{1, 0, 0}, Rgb{0, 1, 0}}, 0.5};
+  EXPECT_EQ(texture_at(squares, 0.1, 0.1), (Rgb{1, 0, 0}));
+  EXPECT_EQ(texture_at(squares, 0.6, 0.1), (Rgb{0, 1, 0}));
+  EXPECT_EQ(texture_at(squares, -0.1, 0.1), (Rgb{0, 1, 0}));
+  EXPECT_EQ(texture_at(squares, -0.1, -0.1), (Rgb{1, 0, 0}));
+  EXPECT_EQ(texture_at(squares, 1e18 + 0.1, 0.1), (Rgb{1, 0, 0}));
+  EXPECT_EQ(texture_peak(squares), (Rgb{1, 1, 0}));
+}
+
+// --- centring
+// ----------------------------------------------------------------------------------------------------------
+
+Scene ball_at(Vec3 place, double k = 1) {
+  SceneBuilder builder;
+  builder.add("ball", SphereShape{place * k, 0.5 * k}, builder.add(glass(1.5)));
+  builder.add("floor", PlaneShape{(place - Vec3{0, 1, 0}) * k, {0, 1, 0}}, 0);
+  builder.scene.camera.position = (place + Vec3{0, 2, 5}) * k;
+  builder.scene.lights.push_back({"lamp", PointLight{(place + Vec3{0, 4, 0}) * k, {1, 1, 1}}});
+  return builder.scene;
+}
+
+TEST(CentreScene, LeavesScenesNearTheOriginAlone) {
+  Scene scene = ball_at({0.3, 1.1, -0.7});
+  centre_scene(scene);
+  EXPECT_EQ(scene.shift, (Vec3{0, 0, 0}));
+  EXPECT_EQ(std::get<SphereShape>(scene.objects[0].shape).center, (Vec3{0.3, 1.1, -0.7}));
+}
+
+TEST(CentreScene, BringsFarScenesBackWithoutRounding) {
+  Scene scene = ball_at({1e6 + 0.25, 0.5, -1e9});
+  centre_scene(scene);
+  const Vec3 center = std::get<SphereShape>(scene.objects[0].shape).center;
+  EXPECT_EQ(center + scene.shift, (Vec3{1e6 + 0.25, 0.5, -1e9}));
+  EXPECT_EQ(scene.camera.position - center, (Vec3{0, 2, 5}));
+  EXPECT_EQ(std::get<PointLight>(scene.lights[0].emitter).position - center, (Vec3{0, 4, 0}));
+  EXPECT_EQ(std::get<PlaneShape>(scene.objects[1].shape).point - center, (Vec3{0, -1, 0}));
+  EXPECT_LT(largest_coordinate(center), 16);
+}
+
+TEST(CentreScene, IsNotDrawnIntoThePlanet) {
+  Scene scene = ball_at({0, 1, 0});
+  scene.objects.push_back({"planet", 0, 0, SphereShape{{0, -1e9, 0}, 1e9}});
+  centre_scene(scene);
+  EXPECT_EQ(scene.shift, (Vec3{0, 0, 0}));
+}
+
+TEST(CentreScene, ScalesByPowersOfTwo) {
+  Scene scene = ball_at({1e6, 0.5, -1e9}), large = ball_at({1e6, 0.5, -1e9}, 0x1p20);
+  centre_scene(scene);
+  centre_scene(large);
+  EXPECT_EQ(scene.shift * 0x1p20, large.shift);
+  EXPECT_NE(scene.shift, (Vec3{0, 0, 0}));
+}
+
+}  // namespace
+}  // namespace vitrail
