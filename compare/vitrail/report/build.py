@@ -31,7 +31,7 @@ VIEWS = (
     ("flip", "Flip", "2"),
     ("slider", "Slider", "3"),
     ("difference", "Difference", "4"),
-    ("error", "FLIP", "5"),
+    ("error", "Visible error", "5"),
 )
 
 

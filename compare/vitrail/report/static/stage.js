@@ -95,7 +95,7 @@ VITRAIL.Stage = class {
       case "flip": return [[named(this.look.second ? b : a)], []];
       case "slider": return [[named(a), named(b)], []];
       case "difference": return [[["difference", `${this.data.names[a]} − ${this.data.names[b]}`]], []];
-      case "error": return [[["error", "FLIP"]], []];
+      case "error": return [[["error", "Visible error (HDR-FLIP)"]], []];
       default: return a === b ? [[named(a)], []] : [[named(a)], [named(b)]];
     }
   }
@@ -104,10 +104,9 @@ VITRAIL.Stage = class {
     if (!this.look) return;
     const layout = this.layout();
     this.element.dataset.panes = layout.filter((pictures) => pictures.length).length;
-    this.panes.forEach((pane, index) => {
-      pane.figure.hidden = layout[index].length === 0;
-      if (!pane.figure.hidden) this.draw(pane, layout[index]);
-    });
+    /* Give the panes their widths first: a pane is as wide as its hidden neighbours leave it. */
+    this.panes.forEach((pane, index) => (pane.figure.hidden = layout[index].length === 0));
+    this.panes.forEach((pane, index) => pane.figure.hidden || this.draw(pane, layout[index]));
   }
 
   /* Screen pixels per image pixel at zoom 1: the whole image fits. */
