@@ -33,6 +33,12 @@ class Surface:
     placed: Placed
     exposure: Exposure
     normalisation: Normalisation
+    has_ambient: bool = False
+
+    @property
+    def scatters(self) -> str:
+        """The finish of a scattering texture, which also answers to the scene's ambient irradiance."""
+        return "ambient 1 diffuse 1" if self.has_ambient else "diffuse 1"
 
     @property
     def pool(self) -> Triplet:
@@ -69,19 +75,19 @@ def _opaque_parts(surface: Surface) -> list[tuple[float, str]]:
     material = surface.material
     mirror = _mirror(material, surface.exposure.share(material.reflection), keep_energy=False)
     if material.emission is None:
-        return [(1.0, _texture(coloured(material.diffuse, surface, 1.0, light=False), _finish("diffuse 1", mirror)))]
+        return [(1.0, _texture(coloured(material.diffuse, surface, 1.0, light=False), _finish(surface.scatters, mirror)))]
     if not material.is_diffuse and not mirror:
         return list(_glow(surface, 1.0))
     # Split evenly, doubled to make up for it.
     doubled = _mirror(material, _times(surface.exposure.share(material.reflection), 2.0), keep_energy=False)
-    scatter = _texture(coloured(material.diffuse, surface, 2.0, light=False), _finish("diffuse 1", doubled))
+    scatter = _texture(coloured(material.diffuse, surface, 2.0, light=False), _finish(surface.scatters, doubled))
     return [(0.5, scatter), *((0.5, body) for _, body in _glow(surface, 2.0))]
 
 
 def _scattering(surface: Surface, weight: float, factor: float) -> list[tuple[float, str]]:
     if not surface.material.is_diffuse:
         return []
-    return [(weight, _texture(coloured(surface.material.diffuse, surface, factor, light=False), _finish("diffuse 1")))]
+    return [(weight, _texture(coloured(surface.material.diffuse, surface, factor, light=False), _finish(surface.scatters)))]
 
 
 def _glow(surface: Surface, factor: float) -> list[tuple[float, str]]:
@@ -128,7 +134,7 @@ def _layered_glass(surface: Surface) -> str:
     # Divide the lower layer by what the filter above takes from it, channel by channel.
     above = tuple(max(value / LAYER_SHARE, DARKEST_FILTER) for value in pool)
     below = tuple(1 / (value * (1 - LAYER_SHARE)) for value in above)
-    look = "diffuse 1" if material.is_diffuse else "emission 1"
+    look = surface.scatters if material.is_diffuse else "emission 1"
     scatter = coloured(lower, surface, below, light=not material.is_diffuse, suffix=f" transmit {number(LAYER_SHARE)}")
     return "\n".join([_texture(scatter, _finish(look, mirror)), _texture(f"{rgb(above)} filter 1", _finish())])
 

@@ -11,7 +11,7 @@ from vitrail.lower.povray.sdl import block, number, rgb
 from vitrail.lower.povray.shapes import primitive
 from vitrail.plan.plan import Plan
 from vitrail.scene.absorption import absorption_per_m
-from vitrail.scene.model import Material, Object, Scene
+from vitrail.scene.model import Ambient, Material, Object, Scene
 from vitrail.scene.phenomenon import Phenomenon
 from vitrail.scene.placement import Placed
 
@@ -29,10 +29,14 @@ class ObjectText:
         """The object in one run; ``placed`` is its shape, where a gap has been opened already."""
         material = self.scene.material_of(item)
         shape = primitive(placed, self.units)
-        texture = texture_sdl(Surface(material, placed, exposure, self.units))
+        texture = texture_sdl(Surface(material, placed, exposure, self.units, self._has_ambient))
         return block(
             shape.keyword, [*shape.parts, texture, self._interior(material, exposure), self._photons(material)]
         )
+
+    @property
+    def _has_ambient(self) -> bool:
+        return isinstance(self.scene.transport.indirect, Ambient) and self.plan.requires(Phenomenon.INDIRECT_LIGHT)
 
     def _interior(self, material: Material, exposure: Exposure) -> str:
         """The index where light enters or Fresnel asks for it, and the absorption where the plan wants it."""
