@@ -27,7 +27,7 @@ def lamplit_mean_by_quadrature(diffuse, intensity, height, half_edge):
     return mpf(diffuse) / pi * flux / (4 * a * a)
 
 
-def lamplit_tilt_and_bow(intensity, height, half_edge):
+def lamplit_bow(height, half_edge):
     """Bow of the best parabola over the patch (``diffusion.evenness``): 1, s, t, s^2 + t^2 with s, t in [-1, 1].
 
     By symmetry the fit is one line in q = s^2 + t^2, whose mean is 2/3 and whose variance is 2 * 4/45; twice its slope
@@ -35,9 +35,9 @@ def lamplit_tilt_and_bow(intensity, height, half_edge):
     """
     a, h = mpf(half_edge), mpf(height)
 
-    def radiance(s, t):
-        return h / sqrt((a * s) ** 2 + h * h + (a * t) ** 2) ** 3
+    def moment(s, t):
+        return h / sqrt((a * s) ** 2 + h * h + (a * t) ** 2) ** 3 * (s * s + t * t - mpf(2) / 3)
 
-    mean = quad(radiance, [-1, 1], [-1, 1]) / 4
-    moment = quad(lambda s, t: radiance(s, t) * (s * s + t * t - mpf(2) / 3), [-1, 1], [-1, 1]) / 4
-    return mpf(0), -2 * moment / (mpf(8) / 45) / mean
+    # One quadrant is a quarter of the whole.
+    slope = quad(moment, [0, 1], [0, 1]) / (mpf(8) / 45)
+    return -2 * slope / lamplit_mean(pi, 1, height, half_edge)

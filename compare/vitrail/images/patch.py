@@ -1,7 +1,8 @@
 """Resample an image onto a world-space patch, so that every number is in metres and watts and not in pixels.
 
-A pixel is taken as a tile of constant radiance, and a cell of the patch as the mean of the tiles it covers: flux is
-conserved, and a patch whose edges lie on pixel edges of an axis-aligned orthographic view returns the pixels unchanged.
+Radiance runs linearly across a pixel, about its mean and with the slope between its two neighbours; a cell of the
+patch is the mean of what it covers. So flux is conserved, a gradient is kept, and a patch whose edges lie on pixel
+edges of an axis-aligned orthographic view returns the pixels unchanged.
 """
 
 from __future__ import annotations
@@ -139,7 +140,7 @@ def _cells_along(view: View, center: np.ndarray, half_edge: np.ndarray) -> int:
 def _separable_weights(
     view: View, center: np.ndarray, u: np.ndarray, v: np.ndarray, n_u: int, n_v: int
 ) -> sparse.csr_matrix | None:
-    """Exact overlaps, where the edges of the patch run along rows and columns of an orthographic view; else None."""
+    """Exact means, where the edges of the patch run along rows and columns of an orthographic view; else None."""
     if view.perspective:
         return None
     x, y, _ = view.project(np.stack([center - u, center + u, center - v, center + v]))
@@ -160,20 +161,26 @@ def _separable_weights(
 
 
 def _overlaps(start: float, stop: float, cells: int, pixels: int) -> sparse.csr_matrix:
-    """(cells, pixels): the share of each cell of [start, stop] that each pixel [i, i + 1] covers."""
+    """(cells, pixels): the weight of each pixel [i, i + 1] in the mean over each cell of [start, stop]."""
     edges = np.linspace(start, stop, cells + 1)
     # An edge within 1e-9 of a pixel's edge is that edge: the difference is rounding of the scene's decimals.
     edges = np.where(np.abs(edges - np.round(edges)) < 1e-9 * pixels, np.round(edges), edges)
     low, high = np.minimum(edges[:-1], edges[1:])[:, None], np.maximum(edges[:-1], edges[1:])[:, None]
     pixel = np.arange(pixels)[None, :]
-    overlap = np.clip(np.minimum(high, pixel + 1) - np.maximum(low, pixel), 0, None)
+    first, last = np.maximum(low, pixel), np.minimum(high, pixel + 1)
+    overlap = np.clip(last - first, 0, None)
+    # What a cell takes of one side of a pixel's middle weighs the slope, half of (next - previous).
+    lean = overlap * ((first + last) / 2 - (pixel + 0.5)) / 2
+    lean[:, [0, -1]] = 0
+    overlap[:, 1:] += lean[:, :-1]
+    overlap[:, :-1] -= lean[:, 1:]
     return sparse.csr_matrix(overlap / (high - low))
 
 
 def _sampled_weights(
     view: View, center: np.ndarray, u: np.ndarray, v: np.ndarray, n_u: int, n_v: int, supersamples: int
 ) -> sparse.csr_matrix:
-    """The share of ``supersamples`` squared points of each cell that each pixel catches."""
+    """The weight of each pixel in the mean of ``supersamples`` squared points of each cell."""
     a = (np.arange(n_u * supersamples) + 0.5) / (n_u * supersamples) * 2 - 1
     b = (np.arange(n_v * supersamples) + 0.5) / (n_v * supersamples) * 2 - 1
     # Go row by row of cells: the points of a large patch would not fit in memory at once.
@@ -190,6 +197,13 @@ def _row_weights(view: View, points: np.ndarray, n_u: int) -> sparse.csr_matrix:
     x, y, depth = view.project(points)
     seen = (depth > 0) & (x >= 0) & (x < view.width) & (y >= 0) & (y < view.height)
     cell = np.broadcast_to(np.arange(points.shape[1]) // supersamples, x.shape)[seen]
-    pixel = np.floor(y[seen]).astype(np.int64) * view.width + np.floor(x[seen]).astype(np.int64)
-    share = np.full(pixel.size, 1 / supersamples**2)
-    return sparse.csr_matrix((share, (cell, pixel)), shape=(n_u, view.width * view.height))
+    column, row = np.floor(x[seen]).astype(np.int64), np.floor(y[seen]).astype(np.int64)
+    pixel = row * view.width + column
+    # The slope to either side of a pixel, none at the frame where a neighbour is missing.
+    lean_x = np.where((column > 0) & (column < view.width - 1), x[seen] - column - 0.5, 0) / 2
+    lean_y = np.where((row > 0) & (row < view.height - 1), y[seen] - row - 0.5, 0) / 2
+    share = np.concatenate([np.ones(pixel.size), lean_x, -lean_x, lean_y, -lean_y]) / supersamples**2
+    step_x, step_y = (lean_x != 0).astype(np.int64), (lean_y != 0).astype(np.int64) * view.width
+    pixels = np.concatenate([pixel, pixel + step_x, pixel - step_x, pixel + step_y, pixel - step_y])
+    shape = (n_u, view.width * view.height)
+    return sparse.csr_matrix((share, (np.tile(cell, 5), pixels)), shape=shape)
