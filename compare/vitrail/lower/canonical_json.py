@@ -1,27 +1,56 @@
-"""One way to write JSON: sorted keys, shortest floats that read back the same, one newline at the end."""
+"""One way to write JSON: sorted keys, shortest floats that read back the same, one newline at the end.
+
+Vectors and matrices stand on one line each, so that a changed scene gives a small difference between two files.
+"""
 
 from __future__ import annotations
 
 import json
 import math
+from collections.abc import Mapping
 from typing import Any
 
 
 def canonical_json(value: Any) -> str:
     """Text that is equal whenever the value is; raises ValueError for NaN and infinity."""
-    return json.dumps(_plain(value), sort_keys=True, indent=1, allow_nan=False, ensure_ascii=False) + "\n"
+    return _written(value, "\n") + "\n"
 
 
-def _plain(value: Any) -> Any:
-    """Lists for tuples, and +0.0 for -0.0, which prints differently and means the same."""
+def _written(value: Any, newline: str) -> str:
+    """``value`` as text whose further lines start with ``newline``."""
+    deeper = newline + " "
     match value:
-        case dict():
-            return {str(key): _plain(item) for key, item in value.items()}
+        case Mapping():
+            lines = [f"{_scalar(str(key))}: {_written(value[key], deeper)}" for key in sorted(value, key=str)]
+            return _block("{", lines, "}", newline)
         case list() | tuple():
-            return [_plain(item) for item in value]
-        case float():
-            if not math.isfinite(value):
-                raise ValueError(f"{value} cannot be written as JSON")
-            return value + 0.0
+            if any(_holds_mapping(item) for item in value):
+                return _block("[", [_written(item, deeper) for item in value], "]", newline)
+            return "[" + ", ".join(_written(item, deeper) for item in value) + "]"
         case _:
-            return value
+            return _scalar(value)
+
+
+def _block(start: str, lines: list[str], end: str, newline: str) -> str:
+    if not lines:
+        return start + end
+    return start + newline + " " + f",{newline} ".join(lines) + newline + end
+
+
+def _holds_mapping(value: Any) -> bool:
+    match value:
+        case Mapping():
+            return True
+        case list() | tuple():
+            return any(_holds_mapping(item) for item in value)
+        case _:
+            return False
+
+
+def _scalar(value: Any) -> str:
+    """One value; -0.0 prints differently from 0.0 and means the same, so it is written as 0.0."""
+    if isinstance(value, float):
+        if not math.isfinite(value):
+            raise ValueError(f"{value} cannot be written as JSON")
+        value = value + 0.0
+    return json.dumps(value, ensure_ascii=False, allow_nan=False)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from decimal import Decimal
 from typing import Any, assert_never
 
 from vitrail.optics.bands import ALL_LIGHT, Band, band_model
@@ -34,13 +35,18 @@ def lowered_material(name: str, scene: Scene, bands: tuple[Band, ...]) -> Json:
         "reflection": material.reflection,
         "transmission": material.transmission,
         "ior_by_band": indices,
-        "ior_minus_one_by_band": [index - 1.0 for index in indices],
+        "ior_minus_one_by_band": [_minus_one(index) for index in indices],
         "camera_ior": reference_ior(material),
         "fresnel": material.fresnel,
         "absorption_per_m": absorption_per_m(material),
         "emission": _texture(material.emission or (0.0, 0.0, 0.0)),
         "roughness": _roughness(material),
     }
+
+
+def _minus_one(index: float) -> float:
+    """n - 1 of the decimal that the scene gives: for 1.000000000001 exactly 1e-12, in binary 9e-5 off [O 2.2]."""
+    return float(Decimal(repr(index)) - 1)
 
 
 def _texture(texture: Triplet | Checker) -> Any:
