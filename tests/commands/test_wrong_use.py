@@ -1,0 +1,102 @@
+"""Wrong scenes and wrong options: exit code 2, a message that says where and what to do, and no file touched."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.commands.command_line import ROOT, SCENE, files_in, run
+
+MALFORMED = sorted((ROOT / "tests" / "scene" / "malformed").glob("*.yaml"))
+WRITING_VERBS = {
+    "render": lambda scene, out: ("render", scene, "--out", out / "image.exr"),
+    "emit tracer": lambda scene, out: ("emit", "tracer", scene, "--out", out),
+    "emit povray": lambda scene, out: ("emit", "povray", scene, "--out", out),
+}
+PRINTING_VERBS = {
+    "check": lambda scene: ("check", scene),
+    "plan": lambda scene: ("plan", scene),
+    "explain": lambda scene: ("explain", scene),
+    "trace": lambda scene: ("trace", scene, "--origin", "0,1,0", "--direction", "0,-1,0"),
+}
+
+
+@pytest.mark.parametrize("scene", MALFORMED, ids=lambda path: path.stem)
+@pytest.mark.parametrize("verb", WRITING_VERBS)
+def test_a_wrong_scene_stops_every_verb_before_it_writes(verb: str, scene: Path, tmp_path: Path) -> None:
+    result = run(*WRITING_VERBS[verb](scene, tmp_path))
+    assert result.exit_code == 2, result.output
+    assert f"{scene}:" in result.stderr
+    assert result.stdout == ""
+    assert files_in(tmp_path) == []
+
+
+@pytest.mark.parametrize("verb", PRINTING_VERBS)
+def test_a_wrong_scene_is_told_by_every_verb_that_prints(verb: str) -> None:
+    scene = MALFORMED[0]
+    result = run(*PRINTING_VERBS[verb](scene))
+    assert result.exit_code == 2
+    assert f"{scene}:" in result.stderr
+
+
+def test_an_existing_image_survives_a_wrong_scene(tmp_path: Path) -> None:
+    image = tmp_path / "image.exr"
+    image.write_text("yesterday's work")
+    assert run("render", MALFORMED[0], "--out", image).exit_code == 2
+    assert image.read_text() == "yesterday's work"
+    assert files_in(tmp_path) == ["image.exr"]
+
+
+def test_a_scene_that_is_not_there_is_a_wrong_scene(tmp_path: Path) -> None:
+    result = run("plan", tmp_path / "nothing.yaml")
+    assert result.exit_code == 2
+    assert "there is no such file" in result.stderr
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("--set", "photon=3"), "did you mean `photons`?"),
+        (("--set", "photons"), "write key=value"),
+        (("--set", "samples=none"), "write a whole number"),
+        (("--quality", "best"), "choose one of draft, normal, reference"),
+        (("--photons", "-1"), "the least is 0"),
+        (("--solver", "magic"), "choose one of"),
+        (("--samples", "x"), "--samples"),
+    ],
+)
+def test_a_wrong_setting_is_told_with_its_remedy(arguments: tuple[str, ...], words: str, tmp_path: Path) -> None:
+    result = run("render", SCENE, "--out", tmp_path / "image.exr", *arguments)
+    assert result.exit_code == 2
+    assert words in result.stderr
+    assert files_in(tmp_path) == []
+
+
+def test_an_image_has_to_be_an_exr(tmp_path: Path) -> None:
+    result = run("render", SCENE, "--out", tmp_path / "image.png")
+    assert result.exit_code == 2
+    assert "end its name with .exr" in result.stderr
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("--origin", "0,1", "--direction", "0,1,0"), "--origin 0,1: write three numbers"),
+        (("--origin", "0,1,0", "--direction", "0,one,0"), "--direction 0,one,0: write three numbers"),
+        (("--origin", "0,1,nan", "--direction", "0,1,0"), "write finite numbers"),
+        (("--origin", "0,1,0", "--direction", "0,0,0"), "has no direction"),
+        (("--origin", "0,1,0", "--direction", "0,1,0", "--band", "1"), "the scene has 1 band(s)"),
+        (("--origin", "0,1,0", "--direction", "0,1,0", "--band", "0", "--wavelength-nm", "550"), "give one of them"),
+    ],
+)
+def test_a_wrong_ray_is_told_with_its_remedy(arguments: tuple[str, ...], words: str) -> None:
+    result = run("trace", SCENE, *arguments)
+    assert result.exit_code == 2
+    assert words in result.stderr
+
+
+def test_an_unknown_verb_names_the_nearest() -> None:
+    result = run("rendr")
+    assert result.exit_code == 2
+    assert "render" in result.stderr
