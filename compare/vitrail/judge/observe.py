@@ -81,11 +81,11 @@ def _observe(
             truths += [None] * len(found)
             unmeasured += silent
         elif pair.candidate in samples and pair.reference == "truth":
-            for entry in truth.of(observation.name):
-                found, silent = _against(pair, entry, observation, samples[pair.candidate], context)
-                measured += found
-                truths += [entry] * len(found)
-                unmeasured += silent
+            known = truth.of(observation.name)
+            found, kept, silent = _against(pair, known, observation, samples[pair.candidate], context)
+            measured += found
+            truths += kept
+            unmeasured += silent
     patch = _patch_record(scene, observation, grid)
     return Observed(
         observation=observation,
@@ -130,17 +130,22 @@ def _compare(
 
 
 def _against(
-    pair: Pair, truth: Truth, observation: Observation, samples: PatchSamples, context: Context
-) -> tuple[list[Measured], list[str]]:
-    """One measured quantity against its closed form; a quantity that the metrics do not give is said, not dropped."""
+    pair: Pair, truths: Sequence[Truth], observation: Observation, samples: PatchSamples, context: Context
+) -> tuple[list[Measured], list[Truth], list[str]]:
+    """Measured quantities against their closed forms; one that the metrics do not give is said, not dropped."""
+    if not truths:
+        return [], [], []
     try:
-        found = measure_with_intervals(observation, samples, None, context)
+        found = {entry.metric: entry for entry in measure_with_intervals(observation, samples, None, context)}
     except MetricError as error:
-        return [], [f"{pair.value}: {error}"]
-    named = [entry for entry in found if entry.metric == truth.metric]
-    if not named:
-        return [], [f"{pair.value}: the metrics of {observation.phenomenon} give no {truth.metric}"]
-    return [_measured(pair, named[0], truth.value, truth.origin, observation)], []
+        return [], [], [f"{pair.value}: {error}"]
+    kept = [truth for truth in truths if truth.metric in found]
+    silent = [truth.metric for truth in truths if truth.metric not in found]
+    return (
+        [_measured(pair, found[truth.metric], truth.value, truth.origin, observation) for truth in kept],
+        kept,
+        [f"{pair.value}: the metrics of {observation.phenomenon} give no {metric}" for metric in silent],
+    )
 
 
 def _measured(pair: Pair, entry: Measurement, ideal: float, source: str, observation: Observation) -> Measured:
