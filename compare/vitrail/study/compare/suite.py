@@ -33,7 +33,7 @@ def compare(scenes: Sequence[Loaded], request: Request, watch: Watch = lambda *s
 
     Ctrl-C keeps what has finished: the results are marked interrupted and hold those scenes.
     """
-    started, clock = datetime.now(UTC), time.monotonic()
+    about, clock = about_run(request.command, request.threads), time.monotonic()
     # Refuse unusable references before an hour of rendering, not after it.
     for folder in {references_folder(loaded.path, request.references) for loaded in scenes}:
         read_thresholds(folder / "thresholds.yaml")
@@ -44,8 +44,8 @@ def compare(scenes: Sequence[Loaded], request: Request, watch: Watch = lambda *s
 
     def finish() -> Results:
         ordered = [runs[name] for name in names if name in runs]
-        about = _about(request, started, time.monotonic() - clock, interrupted)
-        results = judge(ordered, about)
+        spent = {"wall_s": round(time.monotonic() - clock, 3), "interrupted": interrupted}
+        results = judge(ordered, about.model_copy(update=spent))
         write_results(results, request.out / "results.json")
         return results
 
@@ -132,22 +132,20 @@ def _coded(record: SceneResult) -> SceneResult:
     return record.model_copy(update={"exit_code": of_scene(record.status, record.verdict)})
 
 
-def _about(request: Request, started: datetime, wall_s: float, interrupted: bool) -> Run:
-    """Where and how the run was made."""
+def about_run(command: tuple[str, ...], threads: int = 0) -> Run:
+    """Where a run is made, with what."""
     try:
         own = version("vitrail")
     except PackageNotFoundError:
         own = "unpacked"
     return Run(
-        command=request.command,
-        started=started.strftime("%Y-%m-%d %H:%M:%S UTC"),
-        wall_s=round(wall_s, 3),
+        command=command,
+        started=datetime.now(UTC).strftime("%Y-%m-%d %H:%M:%S UTC"),
         vitrail_version=own,
         python=sys.version.split()[0],
         platform=platform.platform(terse=True),
         processor=_processor(),
-        threads=request.threads or os.cpu_count(),
-        interrupted=interrupted,
+        threads=threads or os.cpu_count(),
     )
 
 
