@@ -1,0 +1,116 @@
+/// Photons and shadow rays are two views of one light: what flies through a patch is what `illuminate` says arrives.
+
+#include <gtest/gtest.h>
+
+#include "base/random.h"
+#include "build_scene.h"
+#include "light/light.h"
+
+namespace vitrail {
+namespace {
+
+constexpr std::uint32_t kCount = 1 << 16;
+constexpr double kPatchRadius = 0.2;
+
+/// A sphere of radius 0.5 to aim at, with a patch through its centre that faces +y.
+Targets one_target() {
+  const Sphere bound{{0.3, 0.1, -0.2}, 0.5};
+  const Vec3 reach{0.5, 0.5, 0.5};
+  return {{{0, bound, {bound.center - reach, bound.center + reach}}}, {bound.center, 3}, {}};
+}
+
+/// Power of a chart's photons that cross the patch from above, W.
+double photon_flux(const Chart& chart, Vec3 center) {
+  double flux = 0;
+  for (std::uint32_t i = 0; i < kCount; ++i) {
+    const Emission photon = emit(chart, sobol_4d(stream_of(1, Purpose::kEmissionPosition), i));
+    EXPECT_NEAR(length(photon.ray.direction), 1, 1e-15);
+    if (!(photon.ray.direction.y < 0)) continue;
+    const double t = (center.y - photon.ray.origin.y) / photon.ray.direction.y;
+    if (t > 0 && length(photon.ray.at(t) - center) < kPatchRadius) flux += photon.power.r / kCount;
+  }
+  return flux;
+}
+
+/// The same from the other side: irradiance times area, averaged over the patch and the light.
+double illuminated_flux(const Light& light, Vec3 center) {
+  double sum = 0;
+  for (std::uint32_t i = 0; i < kCount; ++i) {
+    const auto u = sobol_4d(stream_of(2, Purpose::kLightSample), i);
+    const double r = kPatchRadius * std::sqrt(u[0]), a = 2 * kPi * u[1];
+    const Vec3 at = center + Vec3{r * std::cos(a), 0, r * std::sin(a)};
+    const Illumination from = illuminate(light, at, {0, 1, 0}, {u[2], u[3]});
+    sum += from.irradiance.r * std::max(0.0, from.toward.y);
+  }
+  return sum / kCount * kPi * kPatchRadius * kPatchRadius;
+}
+
+void expect_two_equal_views(const Emitter& emitter) {
+  Scene scene;
+  scene.lights.push_back({"light", emitter});
+  const Targets targets = one_target();
+  const std::vector<Chart> charts = make_charts(scene, targets, kCount);
+  ASSERT_EQ(charts.size(), 1u);
+  EXPECT_EQ(charts[0].count, kCount);
+  const Vec3 center = targets.targets[0].bound.center;
+  const double photons = photon_flux(charts[0], center), shadow_rays = illuminated_flux(scene.lights[0], center);
+  EXPECT_GT(shadow_rays, 0);
+  // The patch takes at least 2 % of the photons: 1300 counts, a stratified error below 1 / sqrt(1300) / 3.
+  EXPECT_NEAR(photons / shadow_rays, 1, 0.01);
+}
+
+TEST(Emission, OfParallelLightIsItsIrradiance) {
+  expect_two_equal_views(DirectionalLight{normalise({0.3, -1, 0.2}), {2, 2, 2}, 0});
+}
+TEST(Emission, OfASunIsItsIrradiance) {
+  expect_two_equal_views(DirectionalLight{normalise({0.3, -1, 0.2}), {2, 2, 2}, 30});
+}
+TEST(Emission, OfAPointIsItsIrradiance) { expect_two_equal_views(PointLight{{1, 2, 0}, {5, 5, 5}}); }
+TEST(Emission, OfAPointInsideTheSphereIsItsIrradiance) {
+  expect_two_equal_views(PointLight{{0.3, 0.3, -0.1}, {5, 5, 5}});
+}
+TEST(Emission, OfAWideSpotIsItsIrradiance) {
+  expect_two_equal_views(SpotLight{{0.3, 2, -0.2}, {0, -1, 0}, {5, 5, 5}, 60});
+}
+TEST(Emission, OfANarrowSpotIsItsIrradiance) {
+  expect_two_equal_views(SpotLight{{0.2, 2, -0.2}, normalise({0, -1, 0.05}), {5, 5, 5}, 10});
+}
+TEST(Emission, OfALampIsItsIrradiance) {
+  expect_two_equal_views(AreaLight{RectangleShape{{0, 2, 0}, {0.5, 0, 0}, {0, 0, 0.7}}, false, {3, 3, 3}, {}});
+  expect_two_equal_views(AreaLight{DiscShape{{1, 1.5, 0}, normalise({-0.5, -1, 0}), 0.6}, false, {3, 3, 3}, {}});
+}
+TEST(Emission, OfACollimatedLampIsItsIrradiance) {
+  expect_two_equal_views(AreaLight{RectangleShape{{0.2, 2, 0}, {0.5, 0, 0}, {0, 0, 0.4}}, true, {}, {3, 3, 3}});
+}
+TEST(Emission, OfAnEnvironmentIsItsIrradiance) { expect_two_equal_views(EnvironmentLight{{1, 1, 1}, ""}); }
+
+/// A Lambertian disc seen on its axis: E = pi L r^2 / (r^2 + h^2).
+TEST(Illumination, OfADiscOnItsAxisIsTheFormFactor) {
+  const Light lamp{"lamp", AreaLight{DiscShape{{0, 2, 0}, {0, -1, 0}, 0.6}, false, {3, 3, 3}, {}}};
+  double sum = 0;
+  for (std::uint32_t i = 0; i < kCount; ++i) {
+    const auto u = sobol_2d(stream_of(4, Purpose::kLightSample), i);
+    const Illumination from = illuminate(lamp, {0, 0, 0}, {0, 1, 0}, u);
+    sum += from.irradiance.r * from.toward.y;
+  }
+  EXPECT_NEAR(sum / kCount, kPi * 3 * 0.36 / (0.36 + 4), 1e-5);
+}
+
+/// Photons shared out among two targets follow their power, and every chart gets at least one.
+TEST(Charts, ShareOutPhotonsByPower) {
+  Scene scene;
+  scene.lights.push_back({"sun", DirectionalLight{{0, -1, 0}, {1, 1, 1}, 0}});
+  Targets targets = one_target();
+  Target small = targets.targets[0];
+  small.object = 1;
+  small.bound.radius *= 0.5;
+  small.box = {small.bound.center - Vec3{1, 1, 1}, small.bound.center + Vec3{1, 1, 1}};
+  targets.targets.push_back(small);
+  const auto charts = make_charts(scene, targets, 1000);
+  ASSERT_EQ(charts.size(), 2u);
+  EXPECT_EQ(charts[0].count, 800u);
+  EXPECT_EQ(charts[1].count, 200u);
+}
+
+}  // namespace
+}  // namespace vitrail

@@ -1,0 +1,155 @@
+/// Whole renderings against closed forms: grey cards, slabs, the ball lens.
+
+#include <gtest/gtest.h>
+
+#include "build_scene.h"
+#include "render/render.h"
+
+namespace vitrail {
+namespace {
+
+/// An orthographic camera that looks down on a square of half side `half` from height `y`.
+Camera looking_down(double y, double half) {
+  return {CameraKind::orthographic, {0, y, 0}, {0, -1, 0}, {1, 0, 0}, {0, 0, -1}, half, half};
+}
+
+Rendering rendered(const Scene& scene, unsigned threads = 1) {
+  SilentMonitor monitor;
+  return render(scene, threads, monitor);
+}
+
+SceneBuilder card_scene(double albedo, double tilt_deg) {
+  SceneBuilder builder;
+  const Frame turn = turned_about_z(tilt_deg);
+  const RectangleShape card{{0, 0, 0}, turn.direction_to_world({5, 0, 0}), {0, 0, -5}};
+  builder.add("card", card, builder.add(diffuse(albedo)));
+  builder.scene.camera = looking_down(10, 1);
+  builder.scene.image = {5, 5};
+  builder.scene.plan.caustic = false;
+  return builder;
+}
+
+/// L = d E cos / pi, for several albedos, tilts and channels; the centre pixel of the image is the centre of the card.
+TEST(GreyCard, UnderADirectionalLight) {
+  for (double albedo : {0.18, 0.5, 1.0}) {
+    for (double tilt : {0.0, 10.0, 45.0, 80.0, -60.0}) {
+      SceneBuilder builder = card_scene(albedo, tilt);
+      builder.scene.lights.push_back({"sun", DirectionalLight{{0, -1, 0}, {1, 2, 3}, 0}});
+      const Rgb found = rendered(builder.scene).film.radiance(2, 2);
+      for (int c = 0; c < 3; ++c) {
+        EXPECT_NEAR(found[c], albedo * (c + 1) * std::cos(radians(tilt)) / kPi, 1e-15) << albedo << " " << tilt;
+      }
+    }
+  }
+}
+
+TEST(GreyCard, UnderAPointLight) {
+  for (double tilt : {0.0, 30.0, 70.0}) {
+    SceneBuilder builder = card_scene(0.5, tilt);
+    builder.scene.lights.push_back({"lamp", PointLight{{0, 2, 0}, {4, 8, 16}}});
+    const Rgb found = rendered(builder.scene).film.radiance(2, 2);
+    for (int c = 0; c < 3; ++c) {
+      EXPECT_NEAR(found[c], 0.5 * (1 << c) * std::cos(radians(tilt)) / kPi, 1e-15);
+    }
+  }
+}
+
+/// Off the centre: I cos / r^2 with r = h / cos.
+TEST(GreyCard, UnderAPointLightFallsWithTheCubeOfTheCosine) {
+  SceneBuilder builder = card_scene(0.5, 0);
+  builder.scene.lights.push_back({"lamp", PointLight{{0, 2, 0}, {4, 4, 4}}});
+  const Rgb found = rendered(builder.scene).film.radiance(4, 2);
+  const double cosine = 2 / std::hypot(2, 0.8);
+  EXPECT_NEAR(found.r, 0.5 / kPi * std::pow(cosine, 3), 1e-15);
+}
+
+/// Light on the far side of the card, and a card in the shadow of another, stay black.
+TEST(GreyCard, IsBlackBehindAndInShadow) {
+  SceneBuilder builder = card_scene(0.5, 0);
+  builder.scene.lights.push_back({"below", PointLight{{0, -2, 0}, {4, 4, 4}}});
+  EXPECT_EQ(rendered(builder.scene).film.radiance(2, 2), (Rgb{}));
+  builder.scene.lights.push_back({"above", PointLight{{3, 3, 0}, {4, 4, 4}}});
+  EXPECT_GT(rendered(builder.scene).film.radiance(2, 2).r, 0);
+  builder.add("blind", DiscShape{{1.5, 1.5, 0}, {0, 1, 0}, 0.3}, 0);
+  EXPECT_EQ(rendered(builder.scene).film.radiance(2, 2), (Rgb{}));
+}
+
+/// What a glowing card behind a slab shows: all bounces, T = (1-R)/(1+R) [O 1.1 row 3]; 0.923077 at 0, 0.8362 at 60
+/// deg.
+double seen_through_slab(const Material& material, double tilt_deg, Layer* only = nullptr) {
+  SceneBuilder builder;
+  Material glow = diffuse(0);
+  glow.emission = Rgb{1, 1, 1};
+  builder.add("glow", RectangleShape{{0, -50, 0}, {20, 0, 0}, {0, 0, -20}}, builder.add(glow));
+  builder.add("slab", BoxShape{{-50, -0.5, -50}, {50, 0.5, 50}, turned_about_z(tilt_deg)}, builder.add(material));
+  builder.scene.camera = looking_down(100, 0.1);
+  builder.scene.image = {1, 1};
+  builder.scene.plan.caustic = false;
+  builder.scene.transport.max_reflections = 40;
+  const Rendering result = rendered(builder.scene);
+  return only == nullptr ? result.film.radiance(0, 0).r : result.film.layer(*only, 0, 0).r;
+}
+
+TEST(Slab, WithFresnelShowsAllBounces) {
+  // Branches below 1e-6 are cut; what they carry in sum is of that order.
+  EXPECT_NEAR(seen_through_slab(glass(1.5, {1, 1, 1}, true), 0), 12.0 / 13, 3e-6);
+  EXPECT_NEAR(seen_through_slab(glass(1.5, {1, 1, 1}, true), 60), 0.836233, 1e-5);
+}
+
+TEST(Slab, WithoutFresnelIsClear) { EXPECT_EQ(seen_through_slab(glass(1.5), 30), 1); }
+
+TEST(Slab, WithATintShowsItsSquare) {
+  for (double t : {0.9, 0.5, 0.1}) EXPECT_NEAR(seen_through_slab(glass(1.5, {t, t, t}), 20), t * t, 1e-15);
+}
+
+TEST(Slab, BelongsToRefraction) {
+  Layer refraction = Layer::refraction;
+  EXPECT_EQ(seen_through_slab(glass(1.5), 30, &refraction), 1);
+}
+
+/// A camera inside glass sees the world outside undimmed by the index: radiance over n squared is kept [O 1.1 row 10].
+TEST(Slab, HoldsTheCamera) {
+  SceneBuilder builder;
+  Material glow = diffuse(0);
+  glow.emission = Rgb{1, 1, 1};
+  builder.add("glow", PlaneShape{{0, -3, 0}, {0, 1, 0}}, builder.add(glow));
+  builder.add("slab", BoxShape{{-50, -1, -50}, {50, 1, 50}, {}}, builder.add(glass(1.5)));
+  builder.scene.camera = looking_down(0, 0.1);
+  builder.scene.plan.caustic = false;
+  EXPECT_NEAR(rendered(builder.scene).film.radiance(0, 0).r, 1.5 * 1.5, 1e-15);
+}
+
+/// Annulus means of the ball lens: gain over the light without the ball, from the density of the ray map [O 1.6].
+TEST(BallLens, HasTheAnnuliOfItsRayMap) {
+  SceneBuilder builder;
+  builder.add("floor", PlaneShape{{0, 0, 0}, {0, 1, 0}}, builder.add(diffuse(0.8)));
+  builder.add("ball", SphereShape{{0, 2, 0}, 1}, builder.add(glass(1.5)));
+  builder.scene.lights.push_back({"sun", DirectionalLight{{0, -1, 0}, {kPi, kPi, kPi}, 0}});
+  builder.scene.camera = looking_down(0.5, 0.85);
+  builder.scene.image = {170, 170};  // pixels of 1 cm
+  builder.scene.settings.photons = 1000000;
+  builder.scene.settings.gather_radius_m = 0.015;
+  const Rendering result = rendered(builder.scene, 2);
+
+  const double edges[] = {0, 0.05, 0.1, 0.2, 0.3, 0.4, 0.6, 0.8};
+  const double gain[] = {8.504, 7.014, 4.407, 2.433, 1.440, 0.7454, 0.3593};
+  double sum[7] = {}, count[7] = {};
+  for (int y = 0; y < 170; ++y) {
+    for (int x = 0; x < 170; ++x) {
+      const double rho = std::hypot(-0.85 + 0.01 * (x + 0.5), -0.85 + 0.01 * (y + 0.5));
+      for (int k = 0; k < 7; ++k) {
+        if (rho < edges[k] || rho >= edges[k + 1]) continue;
+        sum[k] += result.film.layer(Layer::caustic, x, y).r;
+        ++count[k];
+      }
+    }
+  }
+  for (int k = 0; k < 7; ++k) EXPECT_NEAR(sum[k] / count[k] / (0.8 * gain[k]), 1, 0.01) << "annulus " << k;
+
+  // In the shadow of the ball there is nothing but the caustic.
+  EXPECT_EQ(result.film.layer(Layer::diffusion, 85, 85), (Rgb{}));
+  EXPECT_LT(result.ledger.closure(), 1e-9);
+}
+
+}  // namespace
+}  // namespace vitrail
