@@ -6,7 +6,7 @@ A tolerance may be widened by what the certificate of the translation states for
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Literal
 
@@ -73,9 +73,12 @@ def read_thresholds(path: Path) -> Thresholds:
     rate = found.get("suite_false_alarm_rate", {}).get("value")
     if not isinstance(rate, float) or not 0 < rate < 1:
         raise ThresholdError(f"{path}: suite_false_alarm_rate.value is {rate!r}; write a rate between 0 and 1")
-    metrics = {name: _rule(path, name, entry) for name, entry in found.get("metrics", {}).items()}
+    own = {name: _rule(path, name, entry) for name, entry in found.get("metrics", {}).items()}
+    metrics = {name: _spelt_out(rule, own) for name, rule in own.items()}
     phenomena = {
-        Phenomenon(name): {metric: _rule(path, f"{name}.{metric}", entry) for metric, entry in rules.items()}
+        Phenomenon(name): {
+            metric: _spelt_out(_rule(path, f"{name}.{metric}", entry), own) for metric, entry in rules.items()
+        }
         for name, rules in found.get("phenomena", {}).items()
     }
     return Thresholds(rate, metrics, phenomena)
@@ -96,3 +99,10 @@ def _rule(path: Path, name: str, entry: Mapping[str, Any]) -> Rule:
         raise ThresholdError(f"{path}: {name} has no reason; say why {amount:g} and not half or twice of it")
     scale = entry.get("certificate")
     return Rule(kinds[0], float(amount), reason, None if scale is None else float(scale))
+
+
+def _spelt_out(rule: Rule, others: Mapping[str, Rule]) -> Rule:
+    """A reason of the form ``as other_metric, and more`` with the other metric's reason in its place."""
+    words = rule.reason.removeprefix("as ")
+    other = others.get(words.split(",")[0].split(" ")[0]) if words != rule.reason else None
+    return rule if other is None else replace(rule, reason=f"{rule.reason}: {other.reason}")

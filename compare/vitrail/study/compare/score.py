@@ -33,7 +33,7 @@ def score(
     references: Path | None = None,
     command: tuple[str, ...] = (),
 ) -> Results:
-    """Judge ``files`` (candidate and reference, by side) and write ``results.json``. Raises ImageError, ReferencesError."""
+    """Judge ``files`` by side and write ``results.json``. Raises ImageError and ReferencesError."""
     images = {side: read_image(path) for side, path in files.items()}
     run = _measured(loaded, images, files, out, references)
     results = judge([run], about_run(command))
