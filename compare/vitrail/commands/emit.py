@@ -53,6 +53,7 @@ def emitted(engine: EngineName, path: Path, quality: str, assignments: list[str]
 
             translated = lower_povray(loaded.scene, found, chosen, loaded)
             certificate = canonical_json(translated.certificate.as_records())
-            return {**{f"{run.name}.pov": run.sdl for run in translated.runs}, "certificate.json": certificate}
+            scenes = {name: text for run in translated.runs for name, text in run.texts.items()}
+            return {**scenes, "certificate.json": certificate}
         case _:
             assert_never(engine)

@@ -60,9 +60,8 @@ def write_result(
     out_dir.mkdir(parents=True, exist_ok=True)
     record = _record(version, lowered, outcomes, threads, wall_s)
     for run in lowered.runs:
-        _write_text(out_dir / "povray" / f"{run.name}.pov", run.sdl)
-        if run.photon_sdl is not None:
-            _write_text(out_dir / "povray" / f"{run.name}_photons.pov", run.photon_sdl)
+        for name, text in run.texts.items():
+            _write_text(out_dir / "povray" / name, text)
     image = _write_image(out_dir / "povray.exr", lowered, outcomes, version)
     _write_text(out_dir / "povray.run.json", canonical_json(record))
     return Rendering(image, record)

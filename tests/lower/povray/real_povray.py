@@ -21,7 +21,7 @@ HALF_FLOAT = 6e-4
 """POV-Ray's image has 11 bits a channel: 4.9e-4 of rounding, and single-precision colours on the way."""
 
 LOOKING_DOWN = "camera: {kind: orthographic, position: [0, 1, 0], look_at: [0, 0, 0], up: [0, 0, -1], height: 1}"
-SMALL = "image: {width: 8, height: 8}"
+SMALL = "image: {width: 32, height: 32}"
 SUN = "- {name: sun, directional: {direction: [0, -1, 0], irradiance: 3.141592653589793}}"
 """Gives a facing surface of albedo d the radiance d."""
 
@@ -40,7 +40,9 @@ class Rendered:
         return self.image.radiance.mean(axis=(0, 1))
 
 
-def scene(materials: str, objects: str, lights: str = SUN, camera: str = LOOKING_DOWN, image: str = SMALL, more: str = "") -> Loaded:
+def scene(
+    materials: str, objects: str, lights: str = SUN, camera: str = LOOKING_DOWN, image: str = SMALL, more: str = ""
+) -> Loaded:
     """A scene from the bodies of its sections, each line of a list one entry."""
     return load_text(
         "\n".join(

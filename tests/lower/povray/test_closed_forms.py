@@ -25,11 +25,11 @@ def test_a_grey_card_shows_albedo_times_irradiance_over_pi(tilt_deg: float) -> N
 def test_a_tilted_rectangle_and_a_turned_box_are_lit_by_their_cosine() -> None:
     """The camera sees the left half of a card that leans by 30 degrees, and the top of a box turned by 30 degrees."""
     objects = """
-    - {name: card, rectangle: {center: [-0.5, 0, 0], u: [0.4, 0, 0], v: [0, 0, -0.5]}, rotate_deg: [30, 0, 0], material: card}
-    - {name: box, box: {min: [0.1, -0.2, -0.5], max: [0.9, 0, 0.5]}, rotate_deg: [30, 0, 0], material: card}
+    - {name: c, rectangle: {center: [-0.5, 0, 0], u: [0.4, 0, 0], v: [0, 0, -1]}, rotate_deg: [30, 0, 0], material: m}
+    - {name: box, box: {min: [0.1, -0.2, -0.5], max: [0.9, 0, 0.5]}, rotate_deg: [30, 0, 0], material: m}
     """
     camera = "camera: {kind: orthographic, position: [0, 3, 0], look_at: [0, 0, 0], up: [0, 0, -1], height: 0.4}"
-    both = rendered(scene("card: {diffuse: 0.8}", objects, camera=camera, image="image: {width: 24, height: 8}"))
+    both = rendered(scene("m: {diffuse: 0.8}", objects, camera=camera, image="image: {width: 24, height: 8}"))
     left, right = both.image.radiance[2:6, 3:9], both.image.radiance[2:6, 15:21]
     assert left == pytest.approx(0.8 * math.cos(math.radians(30)), rel=HALF_FLOAT)
     assert right == pytest.approx(0.8 * math.cos(math.radians(30)), rel=HALF_FLOAT)
@@ -69,9 +69,7 @@ def annulus_means(image: np.ndarray, half_width: float, edges: np.ndarray) -> np
     size = image.shape[0]
     y, x = (np.mgrid[0:size, 0:size] + 0.5 - size / 2) * (2 * half_width / size)
     radius = np.hypot(x, y)
-    return np.array(
-        [image[(radius >= a) & (radius < b), 0].mean() for a, b in zip(edges[:-1], edges[1:], strict=True)]
-    )
+    return np.array([image[(radius >= a) & (radius < b), 0].mean() for a, b in zip(edges[:-1], edges[1:], strict=True)])
 
 
 def ball_lens_means(edges: np.ndarray, gather_radius: float) -> np.ndarray:

@@ -1,8 +1,8 @@
 """The factor on all light of a run: images near 1, and photons whose flux POV-Ray stores exactly.
 
-Without photons it is a power of two, so that undoing it loses nothing. With photons it makes the flux of the main path
-a power of two, lifted a hair above, because storing truncates to 8 bits. Where the flux can only fall along the path
-(Fresnel, absorption), it is set just under the next power of two, where a step is smallest.
+Without photons it is a power of two, so that undoing it loses nothing. With photons it gives the flux of the main path
+the mantissa 255 / 256, lifted a hair above, because storing truncates to 8 bits. From there a flux that varies can only
+fall (Fresnel, absorption), and steps are smallest at the top.
 """
 
 from __future__ import annotations
@@ -12,13 +12,13 @@ from collections.abc import Sequence
 
 from vitrail.lower.povray.exposure import Exposure, Triplet
 from vitrail.lower.povray.lights import Source
-from vitrail.lower.povray.photons import FLUX_LIMIT, PhotonPass, has_exact_flux, main_path_share, photon_flux
+from vitrail.lower.povray.photons import FLUX_LIMIT, PhotonPass, main_path_share, photon_flux
 from vitrail.scene.model import Checker, Material, Scene
 
 ABOVE_THE_STEP = 1 + 2e-6
 """Lifts a flux over its truncation step by more than single precision may lower it."""
-UNDER_THE_NEXT = 2 * (1 - 2**-12)
-"""Puts a flux that varies downwards where 8 bits are finest: a loss of at most 1/255 at first."""
+MANTISSA = 255 / 256
+"""The largest mantissa of 8 bits; 180 / 256, that of the second half, divides by the same step."""
 
 
 def light_factor(scene: Scene, lights: Sequence[Source], photons: PhotonPass | None, exposure: Exposure) -> float:
@@ -41,8 +41,7 @@ def light_factor(scene: Scene, lights: Sequence[Source], photons: PhotonPass | N
     target = 2.0 ** round(math.log2(stored * factor))
     while main * target / stored > FLUX_LIMIT:
         target /= 2
-    mantissa = ABOVE_THE_STEP if has_exact_flux(scene, len(photons.targets)) else UNDER_THE_NEXT
-    return target * mantissa / stored
+    return target * MANTISSA * ABOVE_THE_STEP / stored
 
 
 def _nearness(source: Source) -> float:

@@ -52,6 +52,12 @@ class PovrayRun:
     max_trace_level: int
     depth_is_proven: bool
 
+    @property
+    def texts(self) -> dict[str, str]:
+        """File name to scene text, in the order in which they run."""
+        shoot = {} if self.photon_sdl is None else {f"{self.name}.photons.pov": self.photon_sdl}
+        return {**shoot, f"{self.name}.pov": self.sdl}
+
 
 @dataclass(frozen=True)
 class PovrayScene:

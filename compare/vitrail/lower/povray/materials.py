@@ -75,7 +75,9 @@ def _opaque_parts(surface: Surface) -> list[tuple[float, str]]:
     material = surface.material
     mirror = _mirror(material, surface.exposure.share(material.reflection), keep_energy=False)
     if material.emission is None:
-        return [(1.0, _texture(coloured(material.diffuse, surface, 1.0, light=False), _finish(surface.scatters, mirror)))]
+        return [
+            (1.0, _texture(coloured(material.diffuse, surface, 1.0, light=False), _finish(surface.scatters, mirror)))
+        ]
     if not material.is_diffuse and not mirror:
         return list(_glow(surface, 1.0))
     # Split evenly, doubled to make up for it.
@@ -87,7 +89,9 @@ def _opaque_parts(surface: Surface) -> list[tuple[float, str]]:
 def _scattering(surface: Surface, weight: float, factor: float) -> list[tuple[float, str]]:
     if not surface.material.is_diffuse:
         return []
-    return [(weight, _texture(coloured(surface.material.diffuse, surface, factor, light=False), _finish(surface.scatters)))]
+    return [
+        (weight, _texture(coloured(surface.material.diffuse, surface, factor, light=False), _finish(surface.scatters)))
+    ]
 
 
 def _glow(surface: Surface, factor: float) -> list[tuple[float, str]]:

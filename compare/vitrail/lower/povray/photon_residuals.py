@@ -25,7 +25,7 @@ def photon_entries(
     if photons is None:
         return
     caustic = Phenomenon.CAUSTIC
-    loss = 0.0 if has_exact_flux(scene, len(photons.targets)) else ONE_STEP
+    loss = 0.0 if has_exact_flux(scene, photons) else ONE_STEP
     reason = "the light factor makes the main path's flux exact" if loss == 0 else "fluxes vary, up to one step is lost"
     yield Entry(caustic, "photons", "flux in double precision", "8 bits, truncated", loss, RELATIVE, reason)
     if mode.shows_all_channels and (ratio := _channel_ratio(scene)) > 1:

@@ -1,9 +1,9 @@
 """The photon pass: spacing, kernel, and a light factor that keeps every photon exact.
 
-POV-Ray stores a photon's flux in 8 bits a channel, truncated, and loses it silently at 32 [P 2.4]. With a spacing that
-is a power of two and a light factor that makes the flux of the main path a power of two, nothing is truncated. The
-second half image needs another pattern of photons: its spacing is smaller by sqrt(181 / 256), so that the flux has the
-mantissa 181 / 256, which is exact too.
+POV-Ray stores a photon's flux in 8 bits a channel, truncated, and loses it silently at 32 [P 2.4]. A light factor gives
+the flux of the main path the mantissa 255 / 256, and nothing of it is truncated. The second half image needs another
+pattern of photons: its spacing is smaller by sqrt(180 / 255), so that the flux has the mantissa 180 / 256, which is
+exact too. Where Fresnel or absorption take more from some photons than from others, the truncation starts from there.
 
 The kernel is the flat disc of fixed radius that the tracer uses: ``radius R`` with ``gather 0, many``, which neither
 shrinks to the nearest photons nor grows where there are few [P 2.3]. Photons are shot in one execution, which saves
@@ -30,8 +30,8 @@ from vitrail.scene.vector import Vec, length, subtract
 
 FLUX_LIMIT = 16.0
 """Largest flux of one photon; POV-Ray loses photons at 32 without a word [P 2.4]."""
-SECOND_MANTISSA = 181 / 256
-"""Flux of the second half's photons over the first's; its root, 0.841, is far from any ratio of small numbers."""
+SECOND_FLUX = 180 / 255
+"""Flux of the second half's photons over the first's; its root, 0.840, is far from any ratio of small numbers."""
 JITTER = 0.4
 """POV-Ray's default: each photon moves by up to a fifth of a cell."""
 PHOTON_FILE = "photons.map"
@@ -85,10 +85,10 @@ def photon_pass(
     balls = _targets(scene, units, refusals)
     area = sum(_aimed_area(source, ball) for source in lights for ball in balls)
     # Share the photons of the settings between the two halves.
-    both = 1 + 1 / SECOND_MANTISSA
+    both = 1 + 1 / SECOND_FLUX
     spacing = 2.0 ** round(math.log2(math.sqrt(area * both / settings.photons)))
     return PhotonPass(
-        spacing={"a": spacing, "b": spacing * math.sqrt(SECOND_MANTISSA)},
+        spacing={"a": spacing, "b": spacing * math.sqrt(SECOND_FLUX)},
         gather_radius=units.length(settings.gather_radius_m),
         targets=balls,
         expected_shot=area / spacing**2,
@@ -131,13 +131,20 @@ def photon_flux(source: Source, ball: Ball, spacing: float, strength: float) -> 
     return strength * (spacing / max(length(subtract(ball.centre, source.position)), ball.radius)) ** 2
 
 
-def has_exact_flux(scene: Scene, targets: int) -> bool:
-    """Whether all photons of a run may have one flux on their main path: one light, one target, nothing that varies."""
-    return (
-        len(scene.lights) == 1
-        and targets == 1
-        and not any(_varies(material) for material in scene.materials.values() if material.is_specular)
-    )
+def has_exact_flux(scene: Scene, photons: PhotonPass) -> bool:
+    """Whether every photon of a run has the flux of the main path, or none at all."""
+    materials = [scene.material_of(item) for item in scene.objects if scene.material_of(item).is_specular]
+    if len(scene.lights) > 1 or any(_varies(material) for material in materials):
+        return False
+    lossless = all(_is_lossless(material) for material in materials)
+    if len(photons.targets) > 1:
+        return lossless and scene.lights[0].directional is not None
+    return lossless or not (materials[0].is_transmissive and max(materials[0].reflection) > 0)
+
+
+def _is_lossless(material: Material) -> bool:
+    """Whether a photon leaves every face with all its light, in one direction."""
+    return min(material.transmission) == 1 or min(material.reflection) == 1
 
 
 def main_path_share(scene: Scene, exposure: Exposure) -> float:

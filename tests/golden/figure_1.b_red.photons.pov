@@ -1,0 +1,60 @@
+#version 3.7;
+global_settings {
+  assumed_gamma 1
+  max_trace_level 73
+  adc_bailout 1e-06
+  photons {
+    spacing 0.10502100630210073
+    radius 0.25
+    gather 0, 1048576
+    expand_thresholds 0, 0
+    jitter 0.4
+    autostop 1
+    save_file "photons.map"
+  }
+}
+#default { finish { ambient 0 emission 0 diffuse 0 } }
+background { rgb 0 }
+camera {
+  perspective
+  location <0, 17.6, 48>
+  direction <-0.0011947724406616998, -0.197287705905345, -0.980346361537488>
+  right <0.7646543620234878, 0, 0>
+  up <0, 0.5623539682372509, -0.11247079364745019>
+}
+light_source { <-4, 23.2, -9.6> rgb 2984551.8675292972 fade_distance 0.004 fade_power 2 }
+plane { <0, 1, 0>, 0 texture { pigment { rgb 0.75 } finish { diffuse 1 } } }
+polygon {
+  5, <-17.6, 0, -27.2>, <17.6, 0, -27.2>, <17.6, 27.2, -27.2>, <-17.6, 27.2, -27.2>, <-17.6, 0, -27.2>
+  texture { pigment { rgb 0.75 } finish { diffuse 1 } }
+}
+polygon {
+  5, <-17.6, 0, 17.599999999999998>, <-17.6, 0, -27.2>, <-17.6, 27.2, -27.2>, <-17.6, 27.2, 17.599999999999998>, <-17.6, 0, 17.599999999999998>
+  texture { pigment { rgb 0.7 } finish { diffuse 1 } }
+}
+polygon {
+  5, <17.6, 0, -27.2>, <17.6, 0, 17.599999999999998>, <17.6, 27.2, 17.599999999999998>, <17.6, 27.2, -27.2>, <17.6, 0, -27.2>
+  texture { pigment { rgb 0.35 } finish { diffuse 1 } }
+}
+polygon {
+  5, <-17.6, 27.2, -27.2>, <17.6, 27.2, -27.2>, <17.6, 27.2, 17.599999999999998>, <-17.6, 27.2, 17.599999999999998>, <-17.6, 27.2, -27.2>
+  texture { pigment { rgb 0.75 } finish { diffuse 1 } }
+}
+sphere {
+  <6, 4.8, 4>, 4.797499999999999
+  texture {
+    average
+    texture_map {
+      [0.9 pigment { rgb 0.888888888888889 filter 1 }
+        finish { reflection { rgb 0.11111111111111112 } }]
+      [0.09999999999999998 pigment { rgb 1.0000000000000002 } finish { diffuse 1 }]
+    }
+  }
+  interior { ior 1.5 }
+  photons { target refraction on reflection on }
+}
+sphere {
+  <-6, 4.8, -3.2>, 4.8
+  texture { pigment { rgb 0.15 } finish { diffuse 1 reflection { rgb 0.8 } } }
+  photons { target refraction off reflection on }
+}
