@@ -49,9 +49,14 @@ def tracer_key(version: str, lowered: dict[str, Any]) -> str:
 
 
 def povray_key(version: str, lowered: PovrayScene) -> str:
-    """The content that decides POV-Ray's image: the texts of its runs, and how their images are added up."""
+    """The content that decides POV-Ray's image: the texts of its runs, and how their images are added up.
+
+    The scene's hash is in it too, because the image carries it: two scenes may have one text.
+    """
     sums = [f"{run.name} {run.half} {run.width} {run.height} {run.samples_across} {run.gain}" for run in lowered.runs]
-    return content_key("povray", version, [*sums, *(run.sdl for run in lowered.runs), str(lowered.settings)])
+    return content_key(
+        "povray", version, [lowered.scene_hash, *sums, *(run.sdl for run in lowered.runs), str(lowered.settings)]
+    )
 
 
 def _render(

@@ -17,7 +17,7 @@ from vitrail.judge.exit_code import INTERRUPTED, of_run, of_scene
 from vitrail.judge.false_alarms import SUITE_FALSE_ALARM_RATE, sidak
 from vitrail.judge.judgement import judge_observation
 from vitrail.judge.records import Results, Run, SceneResult, Status, write_results
-from vitrail.judge.references import references_folder
+from vitrail.judge.references import read_scene_truth, references_folder
 from vitrail.judge.thresholds import read_thresholds
 from vitrail.judge.verdict import overall
 from vitrail.scene.load import Loaded
@@ -34,9 +34,7 @@ def compare(scenes: Sequence[Loaded], request: Request, watch: Watch = lambda *s
     Ctrl-C keeps what has finished: the results are marked interrupted and hold those scenes.
     """
     about, clock = about_run(request.command, request.threads), time.monotonic()
-    # Refuse unusable references before an hour of rendering, not after it.
-    for folder in {references_folder(loaded.path, request.references) for loaded in scenes}:
-        read_thresholds(folder / "thresholds.yaml")
+    _check_references(scenes, request)
     request.out.mkdir(parents=True, exist_ok=True)
     names = scene_names([loaded.path for loaded in scenes])
     runs: dict[str, SceneRun] = {}
@@ -56,6 +54,14 @@ def compare(scenes: Sequence[Loaded], request: Request, watch: Watch = lambda *s
     except KeyboardInterrupt:
         interrupted = True
     return finish()
+
+
+def _check_references(scenes: Sequence[Loaded], request: Request) -> None:
+    """Refuse unusable references before an hour of rendering, not after it."""
+    for loaded in scenes:
+        folder = references_folder(loaded.path, request.references)
+        read_thresholds(folder / "thresholds.yaml")
+        read_scene_truth(folder, loaded.path.stem, loaded.scene)
 
 
 def judge(runs: Sequence[SceneRun], about: Run) -> Results:

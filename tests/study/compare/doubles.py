@@ -1,0 +1,69 @@
+"""Engines made of formulas: they answer what they are told, so that the way from scene to verdict is tested alone."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from vitrail.engines.base import EngineFailure, Progress, Rendering, silent
+from vitrail.images.exr import write_image
+
+CARD = """
+vitrail: 1
+title: Grey card
+camera: {kind: orthographic, position: [0, 1, 0], look_at: [0, 0, 0], up: [0, 0, -1], height: 1}
+image: {width: 32, height: 32}
+materials: {card: {diffuse: 0.5}}
+objects: [{name: card, plane: {point: [0, 0, 0], normal: [0, 1, 0]}, material: card}]
+lights: [{name: sun, directional: {direction: [0, -1, 0], irradiance: 3.141592653589793}}]
+observe: [{name: card, phenomenon: diffusion, patch: {center: [0, 0, 0], u: [0.2, 0, 0], v: [0, 0, -0.2]}}]
+"""
+"""Radiance 0.5 everywhere."""
+
+
+@dataclass
+class FormulaEngine:
+    """Renders ``radiance`` everywhere, with noise of relative size ``noise`` in each half.
+
+    ``script`` has a word for each render to come: empty to succeed, ``interrupt`` for Ctrl-C, else words to fail with.
+    """
+
+    name: str
+    radiance: float = 0.5
+    noise: float = 0.0
+    script: list[str] = field(default_factory=list)
+    spoil: Callable[[np.ndarray], np.ndarray] = field(default=lambda image: image)
+    renders: int = 0
+
+    def version(self) -> str:
+        return "1"
+
+    def render(self, lowered: Any, out_dir: Path, *, threads: int = 0, progress: Progress = silent) -> Rendering:
+        self.renders += 1
+        word = self.script.pop(0) if self.script else ""
+        if word == "interrupt":
+            raise KeyboardInterrupt
+        if word:
+            raise EngineFailure(self.name, "it stopped", "mend it", word)
+        scene_hash = lowered["scene_hash"] if isinstance(lowered, dict) else lowered.scene_hash
+        rng = np.random.default_rng(sum(map(ord, self.name)))
+        halves = [self.radiance * (1 + self.noise * rng.standard_normal((32, 32, 3))) for _ in "ab"]
+        path = out_dir / f"{self.name}.exr"
+        metadata = {"vitrail:scene_hash": scene_hash, "vitrail:settings": json.dumps({"seed": 1})}
+        write_image(
+            path, self.spoil((halves[0] + halves[1]) / 2), half_a=halves[0], half_b=halves[1], metadata=metadata
+        )
+        progress("camera", 1, 1)
+        record = {
+            "engine": self.name,
+            "version": "1",
+            "cpu_s": {"total": 2.0, "photon_pass": 0.5, "photon_sort": 0.5, "camera": 1.0, "gather": 1.0},
+            "counters": {"photons_emitted": 1000 if self.name == "povray" else 5000, "gather_queries": 100},
+            "settings": {"seed": 1},
+        }
+        return Rendering(path, record)
