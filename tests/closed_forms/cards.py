@@ -41,3 +41,8 @@ def lamplit_bow(height, half_edge):
     # One quadrant is a quarter of the whole.
     slope = quad(moment, [0, 1], [0, 1]) / (mpf(8) / 45)
     return -2 * slope / lamplit_mean(pi, 1, height, half_edge)
+
+
+def half_and_half(share, bright, dim):
+    """Mean radiance of a mirror that shows two walls, half of the patch each."""
+    return mpf(share) * (mpf(bright) + dim) / 2

@@ -65,3 +65,9 @@ def apparent_shift(index, incidence_deg, thickness):
     """How far the picture of a plane behind the slab moves along that plane."""
     outside = radians(mpf(incidence_deg))
     return thickness * (tan(outside) - tan(asin(sin(outside) / index)))
+
+
+def wedge_mean(per_m, slope, near, far):
+    """Mean of exp(-a slope x) for x from ``near`` to ``far``."""
+    rate = mpf(per_m) * slope
+    return (exp(-rate * near) - exp(-rate * far)) / (rate * (mpf(far) - near))

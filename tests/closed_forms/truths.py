@@ -49,6 +49,14 @@ def _ball_flux() -> mpf:
     return FLOOR * ball_lens.flux_within(OUTER, CROWN, DROP)
 
 
+def _mirror(share: str) -> Computed:
+    return lambda: cards.half_and_half(share, 1, mpf("0.25"))
+
+
+def _wedge_mean(per_m: int) -> Computed:
+    return lambda: slabs.wedge_mean(per_m, mpf("0.5"), mpf("0.1"), mpf("0.9"))
+
+
 GREY = ("0.18", "0.5", "0.9")
 TINT = ("0.9", "0.5", "0.2")
 
@@ -66,6 +74,17 @@ SCENES: dict[tuple[str, str, str], Computed] = {
     **_coloured("slab_clear", "through", "mean_radiance", (lambda: slabs.weighted_pane(1),) * 3),
     **_coloured("tinted_pane_seen", "through", "transmittance", tuple(_pane(t) for t in TINT)),
     **_coloured("tinted_pane_projected", "projected", "transmittance", tuple(_pane(t) for t in TINT)),
+    **_coloured("mirror", "image", "mean_radiance", tuple(_mirror(r) for r in ("0.9", "0.6", "0.3"))),
+    ("mirror", "image", "edge_place.u"): lambda: mpf(0),
+    **_coloured("total_reflection_prism", "turned", "mean_radiance", (lambda: mpf(1),) * 3),
+    **_coloured("beer_wedge", "slope", "mean_radiance", tuple(_wedge_mean(a) for a in (1, 2, 4))),
+    **_coloured("beer_wedge", "slope", "absorption_fit", tuple((lambda a=a: mpf(a)) for a in (1, 2, 4))),
+    ("penumbra", "edge", "penumbra_width"): lambda: (
+        mpf("0.8") * area_lights.straight_penumbra_width(mpf("0.1"), 2, mpf("0.5"))
+    ),
+    ("penumbra", "edge", "shadow_edge"): lambda: mpf(0),
+    ("penumbra", "edge", "shadow_depth"): lambda: mpf(0),
+    **_coloured("ambient_card", "card", "mean_radiance", tuple((lambda d=d: cards.sunlit(d, 2, 1)) for d in GREY)),
     **{("ball_lens", "caustic", f"annulus_mean.{k}"): _ring(k) for k in range(len(RINGS) - 1)},
     **_coloured("ball_lens", "caustic", "caustic_flux", (_ball_flux,) * 3),
     ("ball_lens", "caustic", "centroid.u"): lambda: mpf(0),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from enum import StrEnum
 from pathlib import Path
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING
 
 import typer
 
@@ -38,7 +38,7 @@ def tradeoff(
             found, page = _plans(scenes, out, jobs)
             lines = [_plan_line(scene) for scene in found["scenes"]]
         else:
-            found, page = _prices(scenes[0], out, cast("Extent", extent.value), jobs, references, analyse_only)
+            found, page = _prices(scenes[0], out, extent.value, jobs, references, analyse_only)
             lines = [entry["sentence"] for entry in found["phenomena"].values()]
     if as_json:
         print_json(found)
