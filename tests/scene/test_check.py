@@ -136,3 +136,11 @@ def test_the_example_of_the_language_is_a_scene() -> None:
     page = Path("scenes/README.md").read_text(encoding="utf-8")
     example = page.split("```yaml\n")[1].split("```")[0]
     assert [str(each) for each in check_text(example).diagnostics] == []
+
+
+def test_a_closed_object_around_camera_and_lamp_is_a_room() -> None:
+    """The inner face of a sphere may be the scene; without a lamp inside, the camera is buried."""
+    room = Path("scenes/calibration/closed_room.yaml").read_text(encoding="utf-8")
+    assert [str(each) for each in check_text(room).diagnostics] == []
+    buried = room.replace("point: {position: [0, 0, 0]", "point: {position: [0, 9, 0]")
+    assert "the camera is inside the opaque `room`" in errors(buried)

@@ -6,7 +6,8 @@ from vitrail.scene.check_shapes import file_problem
 from vitrail.scene.distance import distance_to_surface
 from vitrail.scene.findings import Findings
 from vitrail.scene.inside import contains
-from vitrail.scene.model import Ambient, Area, Checker, Environment, Light, Material, Point, Spot
+from vitrail.scene.model import Ambient, Area, Checker, Environment, Light, Material
+from vitrail.scene.room import is_room, place_of
 from vitrail.scene.vector import Vec, length
 
 TOUCH = 1e-9
@@ -79,23 +80,24 @@ def _check_environment(findings: Findings, index: int, file: str) -> None:
 
 def _check_place(findings: Findings, index: int, light: Light) -> None:
     """A lamp on a surface has no defined side; one inside something opaque lights nothing."""
-    emitter, scene = light.emitter, findings.scene
-    match emitter:
-        case Point() | Spot():
-            place, key = emitter.position, "position"
-        case Area():
-            shape = emitter.rectangle or emitter.disc
-            assert shape is not None
-            place, key = shape.center, "rectangle" if emitter.rectangle else "disc"
-        case _:
-            return
+    place, scene = place_of(light), findings.scene
+    if place is None:
+        return
+    path = ("lights", index, light.kind, _place_key(light))
     for item in scene.objects:
         distance = distance_to_surface(item, place)
         if distance is not None and distance <= TOUCH * max(1e-300, length(place)):
             what = f"the light `{light.name}` lies on the surface of `{item.name}`"
             remedy = "move it off the surface, by a millimetre for example"
-            report = findings.warning if isinstance(emitter, Area) else findings.error
-            report(what, remedy, "lights", index, light.kind, key)
-        elif not scene.material_of(item).is_transmissive and contains(item, place):
+            report = findings.warning if isinstance(light.emitter, Area) else findings.error
+            report(what, remedy, *path)
+        elif not scene.material_of(item).is_transmissive and contains(item, place) and not is_room(scene, item):
             what = f"the light `{light.name}` is inside the opaque `{item.name}` and lights nothing outside"
-            findings.warning(what, "move it out", "lights", index, light.kind, key)
+            findings.warning(what, "move it out", *path)
+
+
+def _place_key(light: Light) -> str:
+    """The key that says where a lamp is."""
+    if isinstance(light.emitter, Area):
+        return "rectangle" if light.emitter.rectangle else "disc"
+    return "position"

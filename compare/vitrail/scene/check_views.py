@@ -12,11 +12,15 @@ from vitrail.scene.findings import Findings
 from vitrail.scene.inside import contains, depth_in, is_solid
 from vitrail.scene.model import Mesh, Object, Observation, Patch
 from vitrail.scene.phenomenon import Phenomenon
+from vitrail.scene.room import is_room
 from vitrail.scene.vector import Vec, cross, dot, length, subtract, unit
 from vitrail.scene.view import sight
 
 OFF_SURFACE = 1e-6
 """A patch farther from every surface than this share of its size is reported as lying on none."""
+
+CURVED = 0.06
+"""On a curved surface the corners of a patch may stand off by this share of its half edges."""
 
 FACING = 0.02
 """Below this cosine (89 degrees) a patch is too foreshortened to be measured."""
@@ -40,7 +44,7 @@ def check_views(findings: Findings) -> None:
     scene = findings.scene
     for item in scene.objects:
         opaque = is_solid(item) and not scene.material_of(item).is_transmissive
-        if opaque and contains(item, scene.camera.position):
+        if opaque and contains(item, scene.camera.position) and not is_room(scene, item):
             what = f"the camera is inside the opaque `{item.name}`"
             findings.error(what, "move `position` out of it", "camera", "position")
     for index, observation in enumerate(scene.observe):
@@ -93,16 +97,17 @@ def _check_on_surface(findings: Findings, index: int, patch: Patch) -> None:
     """Warn of a patch that lies on no object, as then its metres are those of empty space."""
     if any(isinstance(item.shape, Mesh) for item in findings.scene.objects):
         return
-    points = [patch.center, *corners_of(patch)]
     slack = OFF_SURFACE * (length(patch.u) + length(patch.v) + length(patch.center))
-    if not any(_holds(item, points, slack) for item in findings.scene.objects):
+    bulge = slack + CURVED * (length(patch.u) + length(patch.v))
+    if not any(_holds(item, patch, slack, bulge) for item in findings.scene.objects):
         what = "the patch lies on no object's surface"
         findings.warning(what, "move it onto the surface it is to measure", "observe", index, "patch")
 
 
-def _holds(item: Object, points: list[Vec], slack: float) -> bool:
-    distances = [distance_to_surface(item, point) for point in points]
-    return all(distance is not None and distance <= slack for distance in distances)
+def _holds(item: Object, patch: Patch, slack: float, bulge: float) -> bool:
+    """Whether the middle of a patch lies on an object, and its corners nearly do."""
+    middle, *corners = [distance_to_surface(item, point) for point in (patch.center, *corners_of(patch))]
+    return middle is not None and middle <= slack and all(corner is not None and corner <= bulge for corner in corners)
 
 
 def _check_unhidden(findings: Findings, index: int, observation: Observation) -> None:
@@ -116,7 +121,7 @@ def _check_unhidden(findings: Findings, index: int, observation: Observation) ->
     points = np.asarray(center) - np.outer(shares, direction)
     slack = OFF_SURFACE * (length(direction) + length(center))
     for item in scene.objects:
-        if not is_solid(item) or float(depth_in(item, points).max()) <= slack:
+        if not is_solid(item) or is_room(scene, item) or float(depth_in(item, points).max()) <= slack:
             continue
         if not scene.material_of(item).is_transmissive:
             what = f"`{item.name}` hides the patch from the camera"
