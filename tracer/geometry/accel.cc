@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/diagnostic.h"
 #include "geometry/embree_search.h"
 #include "geometry/nearest.h"
 #include "geometry/primitive.h"
@@ -30,6 +31,7 @@ struct Intersector::State {
 
   void choose_search(Search search);
   Nearest nearest(const Ray& ray, const Departures& departures) const;
+  void leave_mesh(const Ray& ray, const Departure& left, Nearest& found) const;
   Crossing crossing(const Ray& ray, const Nearest::Candidate& candidate, Vec3* point) const;
 };
 
@@ -84,7 +86,25 @@ Nearest Intersector::State::nearest(const Ray& ray, const Departures& departures
     if (intersect(primitives[object], ray, departure_of(departures, object), hit)) found.offer(object, hit);
   }
   if (tree) tree->closest(ray, departures, found);
+  for (const Departure& left : departures)
+    if (left.inside && std::holds_alternative<Mesh>(primitives[left.object])) leave_mesh(ray, left, found);
   return found;
+}
+
+void Intersector::State::leave_mesh(const Ray& ray, const Departure& left, Nearest& found) const {
+  // A ray inside a mesh goes out next. If the next triangle is entered, or none is met, it started so close to an edge
+  // that rounding let it slip past the way out: it leaves here and now.
+  const ShapeHit now{0, left.face, false};
+  for (const Nearest::Candidate& candidate : found.all())
+    if (candidate.object == left.object) {
+      if (candidate.entering) found.offer(left.object, now);
+      return;
+    }
+  const Mesh& mesh = std::get<Mesh>(primitives[left.object]);
+  ShapeHit next;
+  if (found.empty() ||
+      (mesh.is_near_edge(ray.origin, left.face) && (!mesh.intersect(ray, &left, next) || next.entering)))
+    found.offer(left.object, now);
 }
 
 Crossing Intersector::State::crossing(const Ray& ray, const Nearest::Candidate& candidate, Vec3* point) const {
@@ -103,6 +123,11 @@ Crossing Intersector::State::crossing(const Ray& ray, const Nearest::Candidate& 
 Intersector::Intersector(const Scene& scene, Search search) : state_(new State{scene, {}, {}, {}, {}, 0}) {
   for (const Object& object : scene.objects) {
     state_->primitives.push_back(make_primitive(object.shape));
+    const auto* mesh = std::get_if<Mesh>(&state_->primitives.back());
+    if (mesh != nullptr && scene.materials[object.material].transmits() && !mesh->open_fault().empty())
+      throw InputError(
+          {{std::get<MeshShape>(object.shape).file, mesh->open_fault() + ", and `" + object.name + "` is of glass",
+            "close the mesh with outward triangles, or take an opaque material"}});
     state_->primitive_count += part_count(state_->primitives.back());
     const Bounds box = vitrail::bounds(state_->primitives.back());
     if (box.is_finite()) state_->bounds.add(box);

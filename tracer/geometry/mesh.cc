@@ -2,7 +2,9 @@
 
 #include <cmath>
 
+#include "base/diagnostic.h"
 #include "base/exact.h"
+#include "geometry/mesh_closed.h"
 #include "geometry/mesh_file.h"
 
 namespace vitrail {
@@ -26,16 +28,36 @@ struct Shear {
   Vec3 apply(Vec3 p) const { return {p[x] - sx * p[z], p[y] - sy * p[z], sz * p[z]}; }
 };
 
-/// ax by - ay bx with the right sign even where it cancels.
-double turn(double ax, double ay, double bx, double by) {
-  const Exact first = exact_product(ax, by), second = exact_product(ay, bx);
+/// Leave out triangles without an area: no ray can hit them, and they have no normal.
+void drop_degenerate(MeshData& mesh) {
+  std::erase_if(mesh.triangles, [&](const std::array<std::uint32_t, 3>& corner) {
+    const Vec3 a = mesh.vertices[corner[0]], b = mesh.vertices[corner[1]], c = mesh.vertices[corner[2]];
+    return !(length_squared(cross(b - a, c - a)) > 0);
+  });
+}
+
+/// ax by - ay bx with the right sign even where it cancels, and exactly the opposite for (b, a).
+double turn(Vec3 a, Vec3 b) {
+  const Exact first = exact_product(a.x, b.y), second = exact_product(a.y, b.x);
   return (first.value - second.value) + (first.error - second.error);
+}
+
+/// The side on which the ray passes an edge. A ray exactly through an edge is taken to pass a hair beside it, the same
+/// hair for all triangles, so that it meets one of two neighbours and never both or none.
+int side(double turn_of_edge, Vec3 a, Vec3 b) {
+  if (turn_of_edge != 0) return turn_of_edge > 0 ? 1 : -1;
+  if (a.y != b.y) return a.y > b.y ? 1 : -1;
+  return a.x == b.x ? 0 : b.x > a.x ? 1 : -1;
 }
 
 }  // namespace
 
 Mesh::Mesh(const MeshShape& shape) {
   MeshData data = read_mesh_file(shape.file);
+  open_fault_ = fault_of_closed_mesh(data);
+  drop_degenerate(data);
+  if (data.triangles.empty())
+    throw InputError({{shape.file, "has no triangle with an area", "write a mesh with faces"}});
   triangles_ = std::move(data.triangles);
   vertices_ = std::move(data.vertices);
   for (Vec3& vertex : vertices_) {
@@ -45,16 +67,19 @@ Mesh::Mesh(const MeshShape& shape) {
   }
   if (!shape.smooth) return;
 
-  // Take the normals of the file, or the mean of the neighbours weighted by their area.
+  // Take the normals of the file, or the mean of the neighbours weighted by their angle there.
   normals_.assign(vertices_.size(), Vec3{});
   if (!data.normals.empty()) {
     for (std::size_t i = 0; i < normals_.size(); ++i) normals_[i] = shape.frame.direction_to_world(data.normals[i]);
     return;
   }
-  for (const auto& [a, b, c] : triangles_) {
-    const Vec3 area = cross(vertices_[b] - vertices_[a], vertices_[c] - vertices_[a]);
-    for (const std::uint32_t corner : {a, b, c}) normals_[corner] += area;
-  }
+  for (const auto& corners : triangles_)
+    for (int i = 0; i < 3; ++i) {
+      const Vec3 at = vertices_[corners[i]];
+      const Vec3 next = vertices_[corners[(i + 1) % 3]] - at, last = vertices_[corners[(i + 2) % 3]] - at;
+      const Vec3 area = cross(next, last);
+      normals_[corners[i]] += normalise(area) * std::atan2(length(area), dot(next, last));
+    }
 }
 
 bool Mesh::intersect_triangle(std::uint32_t triangle, const Ray& ray, const Departure* left, ShapeHit& hit) const {
@@ -64,20 +89,20 @@ bool Mesh::intersect_triangle(std::uint32_t triangle, const Ray& ray, const Depa
   const Vec3 a = shear.apply(vertices_[ia] - ray.origin), b = shear.apply(vertices_[ib] - ray.origin),
              c = shear.apply(vertices_[ic] - ray.origin);
 
-  // The ray meets the triangle if it passes all three edges on the same side; an edge itself belongs to both
-  // neighbours.
-  const double u = turn(b.x, b.y, c.x, c.y), v = turn(c.x, c.y, a.x, a.y), w = turn(a.x, a.y, b.x, b.y);
-  if ((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0)) return false;
+  // The ray meets the triangle if it passes all three edges on the same side.
+  const double u = turn(b, c), v = turn(c, a), w = turn(a, b);
+  const int first = side(u, b, c);
+  if (first == 0 || side(v, c, a) != first || side(w, a, b) != first) return false;
   const double area = u + v + w;
   if (area == 0) return false;
   const double t = (u * a.z + v * b.z + w * c.z) / area;
-  const bool entering = area < 0;
+  const bool entering = first < 0;
 
-  // Within rounding of the start, believe what is known of the side and not the sign of t: a ray inside goes out next.
-  const double error = 0x1p-48 * (largest_coordinate(ray.origin) + scale_);
-  if (left != nullptr && std::abs(t) <= error) {
-    if (left->inside == entering) return false;
-    hit = {t > 0 ? t : 0.0, triangle, entering};
+  // Within rounding of the start, believe what is known of the side and not the sign of t: a ray inside goes out, now or
+  // later, and a ray outside does not come in again where it stands.
+  if (left != nullptr && std::abs(t) <= position_error(ray.origin)) {
+    if (!left->inside || entering) return false;
+    hit = {t > 0 ? t : 0.0, triangle, false};
     return true;
   }
   if (!(t > 0)) return false;
@@ -94,6 +119,14 @@ bool Mesh::intersect(const Ray& ray, const Departure* left, ShapeHit& hit) const
     found = true;
   }
   return found;
+}
+
+bool Mesh::is_near_edge(Vec3 point, std::uint32_t face) const {
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 a = vertices_[triangles_[face][i]], b = vertices_[triangles_[face][(i + 1) % 3]];
+    if (length(cross(b - a, point - a)) <= position_error(point) * length(b - a)) return true;
+  }
+  return false;
 }
 
 Bounds Mesh::triangle_bounds(std::uint32_t triangle) const {
@@ -124,6 +157,10 @@ Vec3 Mesh::shading_normal(Vec3 point, std::uint32_t face) const {
 }
 
 bool Mesh::contains(Vec3 point) const {
+  // Outside the box there is nothing to count.
+  for (int axis = 0; axis < 3; ++axis)
+    if (!(bounds_.min[axis] < point[axis] && point[axis] < bounds_.max[axis])) return false;
+
   // Count what a ray in a direction without any zero passes: going out adds, coming in takes away.
   const Ray probe{point, normalise({0.6180339887498949, 0.7548776662466927, 0.5698402909980532})};
   int outward = 0;

@@ -1,9 +1,9 @@
 #include "geometry/mesh_file.h"
 
-#include <cmath>
+#include <cctype>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
-#include <limits>
 #include <sstream>
 
 #include "base/diagnostic.h"
@@ -144,6 +144,7 @@ std::vector<PlyElement> read_ply_header(const std::string& path, const std::stri
     } else if (word == "element") {
       PlyElement element;
       if (!(words >> element.name >> element.count)) refuse(where, "is no element", "write element, name and count");
+      if (element.count > text.size()) refuse(where, "announces more than the file can hold", "correct the count");
       elements.push_back(element);
     } else if (word == "property") {
       if (elements.empty()) refuse(where, "has no element above it", "write the element first");
@@ -215,14 +216,6 @@ MeshData read_ply(const std::string& path) {
   return mesh;
 }
 
-/// Leave out triangles without an area: they can be hit by no ray and have no normal.
-void drop_degenerate(MeshData& mesh) {
-  std::erase_if(mesh.triangles, [&](const std::array<std::uint32_t, 3>& corner) {
-    const Vec3 a = mesh.vertices[corner[0]], b = mesh.vertices[corner[1]], c = mesh.vertices[corner[2]];
-    return !(length_squared(cross(b - a, c - a)) > 0);
-  });
-}
-
 }  // namespace
 
 MeshData read_mesh_file(const std::string& path) {
@@ -235,8 +228,6 @@ MeshData read_mesh_file(const std::string& path) {
   for (const Vec3& vertex : mesh.vertices)
     if (!is_finite(vertex)) refuse(path, "has a vertex that is not finite", "write finite coordinates");
   if (mesh.normals.size() != mesh.vertices.size()) mesh.normals.clear();
-  drop_degenerate(mesh);
-  if (mesh.triangles.empty()) refuse(path, "has no triangle with an area", "write a mesh with faces");
   return mesh;
 }
 

@@ -106,6 +106,25 @@ Shares shares_of(const Scene& scene, const Sides& sides, std::uint32_t material)
   return shares;
 }
 
+/// Bend the light at the shading normal, or at the geometric one where the shading normal of a smooth mesh would send
+/// it to the wrong side of the surface. Sets the normal that was used, facing the light.
+Refraction bend(const Paper& paper, const Crossing& surface, Vec3 direction, const IndexPair& index, Vec3& facing) {
+  const double sign = surface.entering ? 1 : -1;
+  const Vec3 geometric = surface.normal * sign;
+  const auto at = [&](Vec3 normal) {
+    return paper.refraction_literal ? refract_literal(direction, normal, index) : refract(direction, normal, index);
+  };
+  facing = surface.shading_normal * sign;
+  Refraction refraction = at(facing);
+  if (surface.shading_normal == surface.normal) return refraction;
+
+  const bool mirrors_out = dot(reflect(direction, facing), geometric) > 0;
+  const bool bends_in = refraction.total || dot(refraction.direction, geometric) < 0;
+  if (dot(facing, direction) < 0 && mirrors_out && bends_in) return refraction;
+  facing = geometric;
+  return at(facing);
+}
+
 /// Divide the light among mirror and refraction.
 void add_branches(const Paper& paper, const Hit& hit, Vec3 direction, const Sides& sides, const Shares& shares,
                   const Refraction& refraction, Interaction& result) {
@@ -151,9 +170,6 @@ Interaction interact(const Scene& scene, const Hit& hit, Vec3 direction, const M
   result.material = scene.objects[result.object].material;
   const Material& material = scene.materials[result.material];
   result.entering = surface.entering;
-  result.facing_normal = surface.entering ? surface.shading_normal : -surface.shading_normal;
-  if (dot(result.facing_normal, direction) > 0)
-    result.facing_normal = surface.entering ? surface.normal : -surface.normal;
   result.diffuse = sides.partner == nullptr ? texture_at(material.diffuse, surface.s, surface.q) : Rgb{};
   result.emission = texture_at(material.emission, surface.s, surface.q);
   result.roughness = material.roughness;
@@ -165,8 +181,7 @@ Interaction interact(const Scene& scene, const Hit& hit, Vec3 direction, const M
     to = ior_of_camera ? MediumIndex{material.camera_ior, material.camera_ior - 1}
                        : MediumIndex{material.ior_by_band[band], material.ior_minus_one_by_band[band]};
   const IndexPair index{from.ior, to.ior, from.ior_minus_one, to.ior_minus_one};
-  const Refraction refraction = scene.paper.refraction_literal ? refract_literal(direction, result.facing_normal, index)
-                                                               : refract(direction, result.facing_normal, index);
+  const Refraction refraction = bend(scene.paper, surface, direction, index, result.facing_normal);
   const FresnelShares fresnel_shares = fresnel(index, refraction);
   result.ior_before = from.ior;
   result.ior_after = to.ior;
