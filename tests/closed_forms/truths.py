@@ -76,7 +76,7 @@ SCENES: dict[tuple[str, str, str], Computed] = {
     **_coloured("tinted_pane_projected", "projected", "transmittance", tuple(_pane(t) for t in TINT)),
     **_coloured("mirror", "image", "mean_radiance", tuple(_mirror(r) for r in ("0.9", "0.6", "0.3"))),
     ("mirror", "image", "edge_place.u"): lambda: mpf(0),
-    **_coloured("total_reflection_prism", "turned", "mean_radiance", (lambda: mpf(1),) * 3),
+    **_coloured("reflecting_prism", "turned", "mean_radiance", (lambda: slabs.weighted_pane("0.9", "0.1"),) * 3),
     **_coloured("beer_wedge", "slope", "mean_radiance", tuple(_wedge_mean(a) for a in (1, 2, 4))),
     **_coloured("beer_wedge", "slope", "absorption_fit", tuple((lambda a=a: mpf(a)) for a in (1, 2, 4))),
     ("penumbra", "edge", "penumbra_width"): lambda: (
