@@ -8,7 +8,7 @@ global_settings {
     radius 0.25
     gather 0, 1048576
     expand_thresholds 0, 0
-    jitter 0.4
+    jitter 1
     autostop 1
     save_file "photons.map"
   }

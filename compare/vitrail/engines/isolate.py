@@ -40,8 +40,8 @@ def isolate(program: Path, arguments: Sequence[str], folder: Path, allowance: Al
 
     The folder and what is in it are handed to the user the program will run as.
     """
-    wrapper, words = _walls(str(program))
-    if os.geteuid() == 0 and "setpriv" in wrapper:
+    around = walls_here(str(program))
+    if os.geteuid() == 0 and "setpriv" in around.wrapper:
         for path in (folder, *folder.rglob("*")):
             os.chown(path, NOBODY, NOBODY)
     clean = ["env", "-i", "-C", str(folder), f"HOME={folder}", f"TMPDIR={folder}", f"PATH={os.defpath}", "LC_ALL=C"]
@@ -52,12 +52,21 @@ def isolate(program: Path, arguments: Sequence[str], folder: Path, allowance: Al
         f"--fsize={allowance.file_bytes}",
         "--core=0",
     ]
-    return Isolated((*clean, *limits, *wrapper, str(program), *arguments), words)
+    return Isolated((*clean, *limits, *around.wrapper, str(program), *arguments), around.words)
+
+
+@dataclass(frozen=True)
+class Walls:
+    """The commands that go before a program, what they do in words, and whether nothing is missing."""
+
+    wrapper: tuple[str, ...]
+    words: tuple[str, ...]
+    is_complete: bool
 
 
 @cache
-def _walls(program: str) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """The wrapper that this machine allows around ``program``, and its description."""
+def walls_here(program: str) -> Walls:
+    """The walls that this machine allows around ``program``."""
     is_root = os.geteuid() == 0
     words = ["private home and environment", "limits on processor time, memory and file size"]
     wrapper: list[str] = []
@@ -65,7 +74,8 @@ def _walls(program: str) -> tuple[tuple[str, ...], tuple[str, ...]]:
     network = (
         ["unshare", "--net", "--ipc"] if is_root else ["unshare", "--user", "--map-current-user", "--net", "--ipc"]
     )
-    if _works([*network, "true"]):
+    has_network_wall = _works([*network, "true"])
+    if has_network_wall:
         wrapper += network
         words.append("no network")
     else:
@@ -74,14 +84,15 @@ def _walls(program: str) -> tuple[tuple[str, ...], tuple[str, ...]]:
     user = ["setpriv", "--no-new-privs"]
     if is_root:
         user += [f"--reuid={NOBODY}", f"--regid={NOBODY}", "--clear-groups"]
-    if _works([*wrapper, *user, "test", "-x", program]):
+    has_user_wall = _works([*wrapper, *user, "test", "-x", program])
+    if has_user_wall:
         wrapper += user
         words.append("user without rights" if is_root else "no new rights")
     elif is_root:
         words.append("runs as root: no setpriv, or the program cannot be reached by others")
     else:
         words.append("runs with the caller's rights")
-    return tuple(wrapper), tuple(words)
+    return Walls(tuple(wrapper), tuple(words), has_network_wall and has_user_wall)
 
 
 def _works(command: Sequence[str]) -> bool:

@@ -9,50 +9,16 @@ The Fresnel split is exact for the same reason. Where s differs by channel (nati
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
-from vitrail.lower.povray.exposure import Exposure, Triplet
-from vitrail.lower.povray.normalise import Normalisation
+from vitrail.lower.povray.exposure import Triplet
 from vitrail.lower.povray.patterns import coloured
 from vitrail.lower.povray.sdl import block, number, rgb
+from vitrail.lower.povray.surface import GREY_SLACK, Surface, is_grey
 from vitrail.scene.model import Material
-from vitrail.scene.placement import Placed
 
 LAYER_SHARE = 0.5
 """How much the lower, scattering layer lets through; the filter layer above makes up for it [P 4.2]."""
 DARKEST_FILTER = 1e-4
 """Filter of a channel without transmission but with diffuse share: the layer below must stay visible [P 4.2]."""
-GREY_SLACK = 1e-12
-
-
-@dataclass(frozen=True)
-class Surface:
-    """A material on one object in one run."""
-
-    material: Material
-    placed: Placed
-    exposure: Exposure
-    normalisation: Normalisation
-    has_ambient: bool = False
-
-    @property
-    def scatters(self) -> str:
-        """The finish of a scattering texture, which also answers to the scene's ambient irradiance."""
-        return "ambient 1 diffuse 1" if self.has_ambient else "diffuse 1"
-
-    @property
-    def pool(self) -> Triplet:
-        """s = r + t per channel of this run."""
-        return specular_pool(self.material, self.exposure)
-
-
-def specular_pool(material: Material, exposure: Exposure) -> Triplet:
-    r, t = exposure.share(material.reflection), exposure.share(material.transmission)
-    return (min(1.0, r[0] + t[0]), min(1.0, r[1] + t[1]), min(1.0, r[2] + t[2]))
-
-
-def is_grey(colour: Triplet) -> bool:
-    return max(colour) - min(colour) <= GREY_SLACK
 
 
 def texture_sdl(surface: Surface) -> str:

@@ -5,10 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from vitrail.lower.povray.exposure import Exposure, Triplet
-from vitrail.lower.povray.materials import Surface, texture_sdl
+from vitrail.lower.povray.materials import texture_sdl
 from vitrail.lower.povray.normalise import Normalisation
 from vitrail.lower.povray.sdl import block, number, rgb
 from vitrail.lower.povray.shapes import primitive
+from vitrail.lower.povray.surface import Surface
 from vitrail.plan.plan import Plan
 from vitrail.scene.absorption import absorption_per_m
 from vitrail.scene.model import Ambient, Material, Object, Scene

@@ -6,15 +6,13 @@ a cell below the surface, so that the surface cuts one layer of cells and its sq
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, assert_never
+from typing import assert_never
 
 from vitrail.lower.povray.sdl import matrix, rgb
+from vitrail.lower.povray.surface import Surface
 from vitrail.scene.model import Checker, Disc, Plane, Rectangle
 from vitrail.scene.surface import frame_of
 from vitrail.scene.vector import Vec, scale, subtract, unit
-
-if TYPE_CHECKING:
-    from vitrail.lower.povray.materials import Surface
 
 
 def coloured(

@@ -10,11 +10,11 @@ from vitrail.lower.povray.depth import LIMIT, TraceDepth
 from vitrail.lower.povray.exposure import Exposure, Triplet
 from vitrail.lower.povray.gaps import GAP, Shrunk
 from vitrail.lower.povray.lights import FADE_SHARE, Source
-from vitrail.lower.povray.materials import is_grey, specular_pool
 from vitrail.lower.povray.modes import Mode
 from vitrail.lower.povray.normalise import Normalisation
 from vitrail.lower.povray.photon_residuals import photon_entries
 from vitrail.lower.povray.photons import PhotonPass
+from vitrail.lower.povray.surface import is_grey, specular_pool
 from vitrail.plan.plan import Plan
 from vitrail.scene.model import Material, Scene
 from vitrail.scene.phenomenon import Phenomenon

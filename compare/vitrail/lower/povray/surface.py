@@ -1,0 +1,43 @@
+"""A material on one object, as one POV-Ray run sees it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from vitrail.lower.povray.exposure import Exposure, Triplet
+from vitrail.lower.povray.normalise import Normalisation
+from vitrail.scene.model import Material
+from vitrail.scene.placement import Placed
+
+GREY_SLACK = 1e-12
+"""Channels closer than this are alike; decimal shares of a scene differ by rounding alone."""
+
+
+@dataclass(frozen=True)
+class Surface:
+    """A material on one object in one run."""
+
+    material: Material
+    placed: Placed
+    exposure: Exposure
+    normalisation: Normalisation
+    has_ambient: bool = False
+
+    @property
+    def scatters(self) -> str:
+        """The finish of a scattering texture, which also answers to the scene's ambient irradiance."""
+        return "ambient 1 diffuse 1" if self.has_ambient else "diffuse 1"
+
+    @property
+    def pool(self) -> Triplet:
+        """s = r + t per channel of this run."""
+        return specular_pool(self.material, self.exposure)
+
+
+def specular_pool(material: Material, exposure: Exposure) -> Triplet:
+    r, t = exposure.share(material.reflection), exposure.share(material.transmission)
+    return (min(1.0, r[0] + t[0]), min(1.0, r[1] + t[1]), min(1.0, r[2] + t[2]))
+
+
+def is_grey(colour: Triplet) -> bool:
+    return max(colour) - min(colour) <= GREY_SLACK

@@ -1,0 +1,124 @@
+"""A POV-Ray that is missing, old, broken, slow or silent: exit code 4 by way of EngineFailure, in its own words."""
+
+from __future__ import annotations
+
+import stat
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from tests.lower.povray.real_povray import lowered, rendered, scene
+from vitrail.engines import povray as module
+from vitrail.engines.base import EngineFailure
+from vitrail.engines.povray import Povray
+from vitrail.lower.povray import PovrayScene
+
+Fake = Callable[[str], str]
+
+BANNER = 'if [ "$1" = --version ]; then echo "POV-Ray 3.7.0.8" >&2; exit 0; fi\n'
+
+
+@pytest.fixture
+def fake(tmp_path: Path) -> Fake:
+    """Write a shell script in the place of POV-Ray."""
+
+    def write(body: str) -> str:
+        program = tmp_path / "povray"
+        program.write_text("#!/bin/sh\n" + body)
+        program.chmod(program.stat().st_mode | stat.S_IXUSR | stat.S_IXGRP | stat.S_IXOTH)
+        return str(program)
+
+    return write
+
+
+def card() -> PovrayScene:
+    return lowered(
+        scene("card: {diffuse: 0.5}", "- {name: c, plane: {point: [0, 0, 0], normal: [0, 1, 0]}, material: card}")
+    )
+
+
+def test_a_missing_povray_is_named_with_the_way_to_get_it(tmp_path: Path) -> None:
+    with pytest.raises(EngineFailure, match="no program `povray-of-nowhere`; install POV-Ray 3.7"):
+        Povray("povray-of-nowhere").render(card(), tmp_path / "out")
+
+
+def test_an_old_povray_is_refused(fake: Fake, tmp_path: Path) -> None:
+    program = fake('echo "Persistence of Vision(tm) Ray Tracer"; echo "POV-Ray 3.6.1 (g++)" >&2\n')
+    with pytest.raises(EngineFailure, match="version 3.6.1 is older than 3.7") as failure:
+        Povray(program).render(card(), tmp_path / "out")
+    assert "POV-Ray 3.6.1" in failure.value.said
+
+
+def test_a_program_that_is_not_povray_is_refused(fake: Fake, tmp_path: Path) -> None:
+    with pytest.raises(EngineFailure, match="does not say its version") as failure:
+        Povray(fake('echo "hello, I am something else"\n')).render(card(), tmp_path / "out")
+    assert "something else" in failure.value.said
+
+
+def test_a_parse_error_is_quoted(fake: Fake, tmp_path: Path) -> None:
+    complaint = "File 'scene.pov' line 3: Parse Error: Expected 'numeric expression', } found instead"
+    program = fake(BANNER + f'echo "{complaint}" >&2\necho "Render failed" >&2\nexit 1\n')
+    with pytest.raises(EngineFailure, match="exit code 1") as failure:
+        Povray(program).render(card(), tmp_path / "out")
+    assert complaint in failure.value.said and complaint in str(failure.value)
+
+
+def test_a_crash_names_the_signal(fake: Fake, tmp_path: Path) -> None:
+    program = fake(BANNER + 'echo "Parsing" >&2\nkill -SEGV $$\n')
+    with pytest.raises(EngineFailure, match="SIGSEGV") as failure:
+        Povray(program).render(card(), tmp_path / "out")
+    assert "Parsing" in failure.value.said
+
+
+def test_a_povray_that_hangs_is_stopped_with_all_its_children(fake: Fake, tmp_path: Path) -> None:
+    program = fake(BANNER + 'echo "Rendering forever" >&2\nsleep 600 &\nwait\n')
+    with pytest.raises(EngineFailure, match="stopped after") as failure:
+        Povray(program, timeout_s=1.0).render(card(), tmp_path / "out")
+    assert "Rendering forever" in failure.value.said
+
+
+def test_a_povray_that_hangs_at_its_version_is_stopped(fake: Fake, tmp_path: Path) -> None:
+    with pytest.raises(EngineFailure, match="asked for its version"):
+        Povray(fake("sleep 600\n"), timeout_s=1.0).version()
+
+
+def test_a_povray_that_writes_nothing_has_failed(fake: Fake, tmp_path: Path) -> None:
+    program = fake(BANNER + 'echo "POV-Ray finished" >&2\nexit 0\n')
+    with pytest.raises(EngineFailure, match="wrote no image") as failure:
+        Povray(program).render(card(), tmp_path / "out")
+    assert "POV-Ray finished" in failure.value.said
+
+
+def test_a_povray_that_writes_rubbish_has_failed(fake: Fake, tmp_path: Path) -> None:
+    program = fake(BANNER + "head -c 1000 /dev/urandom > image.exr\nexit 0\n")
+    with pytest.raises(EngineFailure, match="image cannot be read"):
+        Povray(program).render(card(), tmp_path / "out")
+
+
+def test_a_failure_leaves_no_image(fake: Fake, tmp_path: Path) -> None:
+    out = tmp_path / "out"
+    with pytest.raises(EngineFailure):
+        Povray(fake(BANNER + "exit 1\n")).render(card(), out)
+    assert not out.exists() or not list(out.iterdir())
+
+
+def test_expected_photons_that_are_not_stored_are_a_failure() -> None:
+    """[P 12.2] A ball over a floor that the light cannot reach: a roof is in the way."""
+    objects = """
+    - {name: floor, plane: {point: [0, 0, 0], normal: [0, 1, 0]}, material: floor}
+    - {name: ball, sphere: {center: [0, 1, 0], radius: 0.3}, material: clear}
+    - {name: roof, box: {min: [-20, 2, -20], max: [20, 2.1, 20]}, material: floor}
+    """
+    loaded = scene("floor: {diffuse: 0.5}\nclear: {transmission: 1, ior: 1.5}", objects)
+    with pytest.raises(EngineFailure, match="photons and saved none"):
+        rendered(loaded, photons=10_000)
+
+
+def test_a_povray_without_memory_says_so(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The real one, allowed less than it needs to start."""
+    starved = replace(card(), settings=replace(card().settings, memory_limit_mb=1))
+    monkeypatch.setattr(module, "EXTRA_MEMORY_BYTES", 1 << 20)
+    with pytest.raises(EngineFailure, match="povray: it"):
+        Povray().render(starved, tmp_path / "out")
