@@ -14,7 +14,7 @@ constexpr double kPatchRadius = 0.2;
 
 /// A sphere of radius 0.5 to aim at, with a patch through its centre that faces +y.
 Targets one_target() {
-  const Sphere bound{{0.3, 0.1, -0.2}, 0.5};
+  const BoundingSphere bound{{0.3, 0.1, -0.2}, 0.5};
   const Vec3 reach{0.5, 0.5, 0.5};
   return {{{0, bound, {bound.center - reach, bound.center + reach}}}, {bound.center, 3}, {}};
 }

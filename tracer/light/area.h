@@ -13,7 +13,7 @@ struct AreaChart {
   Window lamp;
   Vec3 normal;
   bool collimated = false;
-  Sphere target;
+  BoundingSphere target;
   Rgb emitted;  // radiance, or irradiance if collimated
   Rgb power;    // an estimate for sharing out photons; a collimated lamp's exact power
 };

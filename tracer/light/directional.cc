@@ -16,7 +16,7 @@ double one_minus_cos_of_sun(const DirectionalLight& light) {
 // stands for L times the disc's solid angle.
 double share_of_a_direction(double one_minus_cos) { return 2 / (2 - one_minus_cos); }
 
-Window upstream_window(const Target& target, Vec3 direction, const Sphere& surroundings) {
+Window upstream_window(const Target& target, Vec3 direction, const BoundingSphere& surroundings) {
   Window window = window_on(target, direction);
   window.center = upstream_of(window.center, direction, surroundings);
   return window;
@@ -31,7 +31,7 @@ Illumination illuminate(const DirectionalLight& light, Vec3, LightSample sample)
   return {toward, kInfinity, light.irradiance * share_of_a_direction(one_minus_cos)};
 }
 
-DirectionalChart aim(const DirectionalLight& light, const Target& target, const Sphere& surroundings) {
+DirectionalChart aim(const DirectionalLight& light, const Target& target, const BoundingSphere& surroundings) {
   DirectionalChart chart;
   chart.direction = light.direction;
   chart.one_minus_cos = one_minus_cos_of_sun(light);

@@ -14,11 +14,11 @@ struct DirectionalChart {
   double one_minus_cos = 0;  // of the sun's angular radius; 0 for parallel light
   Window window;             // across `direction`, upstream of everything
   Target target;
-  Sphere surroundings;
+  BoundingSphere surroundings;
   Rgb power;  // through the window, W
 };
 
-DirectionalChart aim(const DirectionalLight& light, const Target& target, const Sphere& surroundings);
+DirectionalChart aim(const DirectionalLight& light, const Target& target, const BoundingSphere& surroundings);
 Emission emit(const DirectionalChart& chart, const EmissionSample& sample);
 
 }  // namespace vitrail

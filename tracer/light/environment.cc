@@ -17,7 +17,7 @@ Illumination illuminate(const EnvironmentLight& light, Vec3 normal, LightSample 
   return {toward, std::numeric_limits<double>::infinity(), light.radiance * (M_PI / facing)};
 }
 
-EnvironmentChart aim(const EnvironmentLight& light, const Target& target, const Sphere& surroundings) {
+EnvironmentChart aim(const EnvironmentLight& light, const Target& target, const BoundingSphere& surroundings) {
   const double disc = M_PI * target.bound.radius * target.bound.radius;
   return {target, surroundings, light.radiance, light.radiance * (4 * M_PI * disc)};
 }

@@ -11,12 +11,12 @@ Illumination illuminate(const EnvironmentLight& light, Vec3 normal, LightSample 
 /// Photons from every direction through a window that covers the target.
 struct EnvironmentChart {
   Target target;
-  Sphere surroundings;
+  BoundingSphere surroundings;
   Rgb radiance;
   Rgb power;  // through the disc around the target from all directions, W
 };
 
-EnvironmentChart aim(const EnvironmentLight& light, const Target& target, const Sphere& surroundings);
+EnvironmentChart aim(const EnvironmentLight& light, const Target& target, const BoundingSphere& surroundings);
 Emission emit(const EnvironmentChart& chart, const EmissionSample& sample);
 
 }  // namespace vitrail

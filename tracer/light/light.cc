@@ -10,7 +10,7 @@ struct Overload : Cases... {
   using Cases::operator()...;
 };
 
-Chart chart_for(const Emitter& emitter, const Target& target, const Sphere& surroundings) {
+Chart chart_for(const Emitter& emitter, const Target& target, const BoundingSphere& surroundings) {
   Chart chart;
   const auto set = [&](auto domain) {
     chart.power = domain.power;
@@ -63,6 +63,13 @@ std::vector<Chart> make_charts(const Scene& scene, const Targets& targets, std::
         static_cast<std::uint64_t>(std::ceil(static_cast<double>(photons_per_half) * (total(chart.power) / sum)));
   }
   return charts;
+}
+
+bool needs_four(const Chart& chart) {
+  return std::visit(
+      Overload{[](const DirectionalChart& c) { return c.one_minus_cos > 0; }, [](const ConeChart&) { return false; },
+               [](const AreaChart& c) { return !c.collimated; }, [](const EnvironmentChart&) { return true; }},
+      chart.domain);
 }
 
 Emission emit(const Chart& chart, const EmissionSample& sample) {

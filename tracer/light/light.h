@@ -28,6 +28,9 @@ struct Chart {
 /// One chart for each light and target; photons_per_half shared out in proportion to power.
 std::vector<Chart> make_charts(const Scene& scene, const Targets& targets, std::uint64_t photons_per_half);
 
+/// Whether a photon of this chart takes all four coordinates of its sample, or only the first two.
+bool needs_four(const Chart& chart);
+
 Emission emit(const Chart& chart, const EmissionSample& sample);
 
 }  // namespace vitrail

@@ -5,9 +5,9 @@
 namespace vitrail {
 namespace {
 
-Sphere sphere_around(const Bounds& box) { return {(box.min + box.max) * 0.5, length(box.max - box.min) * 0.5}; }
+BoundingSphere sphere_around(const Bounds& box) { return {(box.min + box.max) * 0.5, length(box.max - box.min) * 0.5}; }
 
-Bounds box_around(const Sphere& s) {
+Bounds box_around(const BoundingSphere& s) {
   const Vec3 reach{s.radius, s.radius, s.radius};
   return {s.center - reach, s.center + reach};
 }
@@ -18,9 +18,9 @@ bool is_specular(const Material& material) {
 
 // Cover what a plane mirrors into the finite part of the scene: the image of that part is as far behind as it is in
 // front.
-Target target_of_plane(std::uint32_t object, const PlaneShape& plane, const Sphere& surroundings) {
+Target target_of_plane(std::uint32_t object, const PlaneShape& plane, const BoundingSphere& surroundings) {
   const double height = dot(surroundings.center - plane.point, plane.normal);
-  const Sphere bound{surroundings.center - plane.normal * height, std::abs(height) + surroundings.radius};
+  const BoundingSphere bound{surroundings.center - plane.normal * height, std::abs(height) + surroundings.radius};
   return {object, bound, box_around(bound)};
 }
 
@@ -34,7 +34,7 @@ Targets find_targets(const Scene& scene, const Intersector& intersector) {
     const Object& object = scene.objects[i];
     if (!is_specular(scene.material_of(i))) continue;
     if (const auto* sphere = std::get_if<SphereShape>(&object.shape)) {
-      const Sphere bound{sphere->center, sphere->radius};
+      const BoundingSphere bound{sphere->center, sphere->radius};
       found.targets.push_back({i, bound, box_around(bound)});
     } else if (const auto* plane = std::get_if<PlaneShape>(&object.shape)) {
       if (finite.is_empty()) continue;

@@ -9,7 +9,7 @@
 
 namespace vitrail {
 
-struct Sphere {
+struct BoundingSphere {
   Vec3 center;
   double radius = 0;
 };
@@ -17,13 +17,13 @@ struct Sphere {
 /// One specular object and where it is.
 struct Target {
   std::uint32_t object = 0;
-  Sphere bound;
+  BoundingSphere bound;
   Bounds box;  // inside it as well; a cube around the sphere where nothing tighter is known
 };
 
 struct Targets {
   std::vector<Target> targets;
-  Sphere surroundings;  // around everything finite, where light from infinity starts
+  BoundingSphere surroundings;  // around everything finite, where light from infinity starts
   std::vector<std::string> warnings;
 };
 

@@ -40,7 +40,7 @@ Window window_on(const Target& target, Vec3 direction) {
   return rectangle.area() < disc.area() ? rectangle : disc;
 }
 
-Vec3 upstream_of(Vec3 point, Vec3 direction, const Sphere& surroundings) {
+Vec3 upstream_of(Vec3 point, Vec3 direction, const BoundingSphere& surroundings) {
   // A margin of a thousandth keeps the start off the surfaces; scaling the scene scales it.
   const double start = dot(surroundings.center, direction) - 1.001 * surroundings.radius;
   return point + direction * std::min(0.0, start - dot(point, direction));

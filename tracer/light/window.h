@@ -17,6 +17,6 @@ struct Window {
 Window window_on(const Target& target, Vec3 direction);
 
 /// The point moved against `direction` to where nothing finite lies upstream of it.
-Vec3 upstream_of(Vec3 point, Vec3 direction, const Sphere& surroundings);
+Vec3 upstream_of(Vec3 point, Vec3 direction, const BoundingSphere& surroundings);
 
 }  // namespace vitrail

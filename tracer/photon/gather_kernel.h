@@ -21,7 +21,7 @@ struct PhotonColumns {
 };
 
 /// A disc of radius R on a tangent plane, in the floats of the photon frame and the axes of the columns.
-struct Disc {
+struct GatherDisc {
   float center[3];
   float normal[3];
   float radius_squared;
@@ -33,7 +33,8 @@ struct Disc {
 
 /// Sum of the flux of every photon of the runs inside the disc, per channel, W. Photon i of a run always goes to lane
 /// i mod 16 and lanes are added in one fixed order, so every instruction set gives the same bits.
-using GatherKernel = Rgb (*)(const PhotonColumns& columns, const PhotonRun* runs, int run_count, const Disc& disc);
+using GatherKernel = Rgb (*)(const PhotonColumns& columns, const PhotonRun* runs, int run_count,
+                             const GatherDisc& disc);
 
 /// The kernel for the widest registers this machine has, or the one for 8 floats that every machine of the baseline
 /// has.

@@ -182,7 +182,7 @@ Rgb PhotonMap::irradiance(const GatherQuery& query) const {
   const double n[3] = {query.normal.x, query.normal.y, query.normal.z};
 
   // Describe the disc in the floats of the frame and the axis order of the cells.
-  Disc disc;
+  GatherDisc disc;
   int largest = 0;
   for (int a = 0; a < 3; ++a) {
     disc.center[a] = static_cast<float>(p[axis_[a]]);

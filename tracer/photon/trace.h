@@ -26,10 +26,14 @@ struct PhotonPass {
   PhotonFrame frame;
 };
 
+/// How photons are followed: `automatic` takes many at once where the scene allows it. Both obey the same physics and
+/// agree to rounding.
+enum class PhotonWay { automatic, one_by_one };
+
 /// Emit photons first .. first + count of a chart with a scrambling, and follow each through every branch: reflected
 /// and refracted light both go on, in exact shares, so the ledger closes photon by photon and there is no roulette
 /// noise. A photon is stored on every surface that can be diffuse, after at least one specular bounce [S section 4].
 PhotonBlock trace_photons(const PhotonPass& pass, const Chart& chart, Stream stream, std::uint64_t first,
-                          std::uint64_t count);
+                          std::uint64_t count, PhotonWay way = PhotonWay::automatic);
 
 }  // namespace vitrail

@@ -1,0 +1,95 @@
+#include "photon/photon_tree.h"
+
+#include <algorithm>
+
+namespace vitrail {
+
+bool tells_bands_apart(const Scene& scene, std::uint32_t object) {
+  if (object == kAir || scene.bands.size() < 2) return false;
+  const auto& ior = scene.material_of(object).ior_by_band;
+  return std::any_of(ior.begin(), ior.end(), [&](double n) { return n != ior[0]; });
+}
+
+void PhotonTree::follow(const Flight& start) {
+  pending_.clear();
+  pending_.push_back(start);
+  while (!pending_.empty()) {
+    const Flight flight = pending_.back();
+    pending_.pop_back();
+    const Arrival arrival =
+        advance(scene_, pass_.intersector, flight.ray, flight.departures, flight.media, flight.band);
+    if (!flight.has_bounced()) {
+      // Leave photons that meet another object to its own chart, or to direct light.
+      if (arrival.escaped || arrival.event.object != target_) return;
+      block_.ledger.emitted += flight.flux;
+    }
+    arrive(flight, arrival);
+  }
+}
+
+void PhotonTree::arrive(const Flight& flight, const Arrival& arrival) {
+  const Rgb flux = flight.flux * arrival.transmittance;
+  block_.ledger.absorbed += flight.flux - flux;
+  if (arrival.escaped) {
+    block_.ledger.escaped += flux;
+    return;
+  }
+  const Interaction& event = arrival.event;
+  const bool splits = !flight.band_chosen && event.transmit.exists &&
+                      (tells_bands_apart(scene_, event.medium_before) || tells_bands_apart(scene_, event.medium_after));
+  if (splits) {
+    split_bands(flight, arrival, flux);
+  } else {
+    meet(flight, arrival, event, flux);
+  }
+}
+
+// Give each band its weight of the flux; from here on it keeps its own index of refraction.
+void PhotonTree::split_bands(Flight flight, const Arrival& arrival, Rgb flux) {
+  flight.band_chosen = true;
+  for (std::uint32_t band = 0; band < scene_.bands.size(); ++band) {
+    flight.band = band;
+    const Interaction event = interact(scene_, arrival.hit, flight.ray.direction, arrival.media, band);
+    meet(flight, arrival, event, flux * scene_.bands[band].weight);
+  }
+}
+
+// Store what may be seen here, send the branches on, and book what ends.
+void PhotonTree::meet(const Flight& flight, const Arrival& arrival, const Interaction& event, Rgb flux) {
+  Rgb left = flux;
+  if (event.reflect.exists) {
+    const Rgb share = flux * event.reflect.weight;
+    left = left - share;
+    send(flight, arrival, event.reflect, share, 1, 0);
+  }
+  if (event.transmit.exists) {
+    const Rgb share = flux * event.transmit.weight;
+    left = left - share;
+    send(flight, arrival, event.transmit, share, 0, 1);
+  }
+  if (flight.has_bounced() && can_be_diffuse(scene_.materials[event.material])) {
+    block_.photons.push_back(make_photon(pass_.frame, arrival.hit.point, event.facing_normal, flux));
+    block_.ledger.stored += left;
+  } else {
+    block_.ledger.absorbed += left;
+  }
+}
+
+void PhotonTree::send(const Flight& from, const Arrival& arrival, const Branch& branch, Rgb flux, int reflections,
+                      int transmissions) {
+  Flight next = from;
+  next.ray = {arrival.hit.point, branch.direction};
+  next.departures = branch.departures;
+  next.media = branch.media;
+  next.flux = flux;
+  next.reflections += reflections;
+  next.transmissions += transmissions;
+  if (next.reflections > scene_.transport.max_reflections || next.transmissions > scene_.transport.max_transmissions ||
+      !(largest_channel(flux) >= from.least)) {
+    block_.ledger.truncated += flux;
+    return;
+  }
+  pending_.push_back(next);
+}
+
+}  // namespace vitrail
