@@ -1,0 +1,102 @@
+"""The real tracer by way of the engine: progress, interruption, and the proof that a plan drops nothing."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from vitrail.engines.tracer import Tracer
+from vitrail.images.exr import ImageLayers, read_image
+from vitrail.lower.tracer import lower_tracer
+from vitrail.plan.analyse import analyse, everything
+from vitrail.plan.budget import settings_for
+from vitrail.plan.plan import Plan
+from vitrail.scene.check import check_file
+from vitrail.scene.model import Image, Scene
+
+ROOT = Path(__file__).parents[2]
+SCENES = sorted((ROOT / "scenes").glob("*/*.yaml"))
+PHOTONS = 20_000
+
+
+def small(path: Path) -> Scene:
+    """A scene of the project in a picture of 48 pixels a side at most."""
+    scene = check_file(path).scene_or_raise().scene
+    shrink = 48 / max(scene.image.width, scene.image.height)
+    size = {"width": max(1, round(scene.image.width * shrink)), "height": max(1, round(scene.image.height * shrink))}
+    return scene.model_copy(update={"image": Image(**size)})
+
+
+def rendered(scene: Scene, plan: Plan, photons: int, folder: Path, source: Path) -> ImageLayers:
+    radius = settings_for(scene, analyse(scene)).gather_radius_m
+    settings = settings_for(scene, plan, "draft", photons=photons, gather_radius_m=radius)
+    return read_image(Tracer().render(lower_tracer(scene, plan, settings, source.parent), folder).image_path)
+
+
+@pytest.mark.parametrize("path", SCENES, ids=lambda path: path.stem)
+def test_everything_on_gives_the_same_image_as_the_plan(path: Path, tmp_path: Path) -> None:
+    """To the last bit: random numbers are functions of photon and pixel, so more work elsewhere disturbs none."""
+    scene = small(path)
+    plan, most = analyse(scene), everything(scene)
+    photons = settings_for(scene, plan, "draft", photons=PHOTONS).photons
+    needed = rendered(scene, plan, PHOTONS if plan.caustic_paths else 0, tmp_path / "needed", path)
+    full = rendered(scene, most, PHOTONS, tmp_path / "full", path)
+    assert photons in (0, PHOTONS)
+    np.testing.assert_array_equal(needed.radiance, full.radiance)
+
+
+def test_progress_tells_the_phases(tmp_path: Path) -> None:
+    scene = small(ROOT / "scenes" / "calibration" / "ball_lens.yaml")
+    plan = analyse(scene)
+    settings = settings_for(scene, plan, "draft")
+    steps: list[tuple[str, float, float]] = []
+    lowered = lower_tracer(scene, plan, settings)
+    Tracer().render(lowered, tmp_path, progress=lambda *step: steps.append(step))
+    assert {phase for phase, _, _ in steps} >= {"photon_pass", "camera"}
+    assert all(0 <= done <= total for _, done, total in steps)
+
+
+INTERRUPTED = """
+import sys
+from pathlib import Path
+from tests.engines.test_tracer_render import *
+scene = small(ROOT / "scenes" / "paper" / "figure_1.yaml")
+plan = analyse(scene)
+settings = settings_for(scene, plan, "draft", samples=300, photons=0)
+told = []
+def progress(phase, done, total):
+    if phase == "camera" and done >= 1 and not told:
+        told.append(True)
+        print("under way", flush=True)
+made = Tracer().render(lower_tracer(scene, plan, settings), Path(sys.argv[1]), threads=1, progress=progress)
+print("interrupted", made.interrupted, made.image_path.is_file(), flush=True)
+"""
+
+
+def test_ctrl_c_leaves_an_image_of_the_finished_work(tmp_path: Path) -> None:
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join((str(ROOT / "compare"), str(ROOT)))}
+    command = [sys.executable, "-c", INTERRUPTED, str(tmp_path)]
+    caller = subprocess.Popen(command, stdout=subprocess.PIPE, text=True, env=environment, cwd=ROOT)
+    assert caller.stdout is not None
+    assert caller.stdout.readline() == "under way\n"
+    caller.send_signal(signal.SIGINT)
+    assert caller.stdout.read() == "interrupted True True\n"
+    assert caller.wait() == 0
+    assert np.isfinite(read_image(tmp_path / "tracer.exr").radiance).all()
+
+
+def test_a_traced_ray_has_the_vertices_of_snell() -> None:
+    """Height 0.5 over a ball of radius 1, index 1.5: sin i = 0.5, sin r = 1/3, leaving turned by 2 (i - r)."""
+    scene = check_file(ROOT / "tests" / "golden" / "plain.yaml").scene_or_raise().scene
+    plan = everything(scene)
+    lowered = lower_tracer(scene, plan, settings_for(scene, plan, "draft"))
+    vertices = Tracer().trace(lowered, ["--origin", "0.5,4,0", "--direction", "0,-1,0"])["vertices"]
+    assert [vertex["object"] for vertex in vertices] == ["ball", "ball", "floor"]
+    turned = 2 * (np.arcsin(0.5) - np.arcsin(1 / 3))
+    assert vertices[1]["direction_out"] == pytest.approx([-np.sin(turned), -np.cos(turned), 0], abs=1e-14)
