@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import shutil
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +17,7 @@ from vitrail.lower.tracer import lower_tracer
 from vitrail.plan.budget import Settings
 from vitrail.plan.plan import Plan
 from vitrail.scene.load import Loaded
+from vitrail.scene.print import scene_hash
 from vitrail.study.compare.request import Request
 
 
@@ -30,9 +31,13 @@ class Lowered:
 
 def lower_both(loaded: Loaded, plan: Plan, settings: Settings, request: Request) -> Lowered:
     """Raises NotTranslatable with the scene's lines."""
-    tracer = lower_tracer(loaded.scene, plan, settings, loaded.path.parent.resolve())
-    povray = lower_povray(loaded.scene, plan, settings, loaded)
-    return Lowered(request.defect.tracer(tracer), request.defect.povray(povray))
+    defect = request.defect
+    tracer = lower_tracer(defect.misread_by_tracer(loaded.scene), plan, settings, loaded.path.parent.resolve())
+    povray = lower_povray(defect.misread_by_povray(loaded.scene), plan, settings, loaded)
+    # A misread scene is still meant to be this one: both images carry its hash.
+    tracer["scene_hash"] = scene_hash(loaded.scene)
+    povray = replace(povray, scene_hash=scene_hash(loaded.scene))
+    return Lowered(defect.tracer(tracer), defect.povray(povray))
 
 
 def render_both(lowered: Lowered, place: Path, request: Request, progress: Progress) -> dict[str, Rendering]:

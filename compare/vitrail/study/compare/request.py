@@ -12,16 +12,20 @@ from vitrail.engines.povray import Povray
 from vitrail.engines.tracer import Tracer
 from vitrail.lower.povray import PovrayScene
 from vitrail.plan.budget import Quality
+from vitrail.scene.model import Scene
 
 
 @dataclass(frozen=True)
 class Defect:
     """A known mistake put between lowering and rendering, to see which phenomenon turns red. Empty: none.
 
-    ``povray`` changes the translated scene (its text, its gains), ``tracer`` the lowered scene.
+    ``povray`` changes the translated scene (its text, its gains), ``tracer`` the lowered scene; ``misread_by_povray``
+    and ``misread_by_tracer`` change the scene that one back end reads, as a lowering that misunderstands it would.
     """
 
     name: str = ""
+    misread_by_povray: Callable[[Scene], Scene] = field(default=lambda scene: scene)
+    misread_by_tracer: Callable[[Scene], Scene] = field(default=lambda scene: scene)
     povray: Callable[[PovrayScene], PovrayScene] = field(default=lambda scene: scene)
     tracer: Callable[[dict[str, Any]], dict[str, Any]] = field(default=lambda lowered: lowered)
 

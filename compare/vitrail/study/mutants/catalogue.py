@@ -1,0 +1,155 @@
+"""The mutants, one line each: mistakes that translators and tracers are known to make."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Callable
+from typing import Any
+
+from vitrail.scene.phenomenon import Phenomenon
+from vitrail.study.compare.defects import DEFECTS, on_text
+from vitrail.study.compare.request import Defect
+from vitrail.study.mutants import misreadings as misread
+from vitrail.study.mutants.mutant import Mutant
+
+P = Phenomenon
+
+
+def _text(pattern: str, replacement: str) -> Callable[[str], str]:
+    """Replace in the scene text that the translator wrote."""
+    return lambda text: re.sub(pattern, replacement, text)
+
+
+def _by_text(name: str, phenomenon: Phenomenon, what: str, change: Callable[[str], str]) -> Mutant:
+    return Mutant(name, "translator", phenomenon, what, Defect(name, povray=on_text(change)))
+
+
+def _misread(name: str, phenomenon: Phenomenon, what: str, reading: misread.Misreading) -> Mutant:
+    return Mutant(name, "translator", phenomenon, what, Defect(name, misread_by_povray=reading))
+
+
+def _tracer_misread(name: str, phenomenon: Phenomenon, what: str, reading: misread.Misreading) -> Mutant:
+    return Mutant(name, "tracer", phenomenon, what, Defect(name, misread_by_tracer=reading))
+
+
+def _in_tracer(name: str, phenomenon: Phenomenon, what: str, change: Callable[[dict[str, Any]], None]) -> Mutant:
+    def apply(lowered: dict[str, Any]) -> dict[str, Any]:
+        change(lowered)
+        return lowered
+
+    return Mutant(name, "tracer", phenomenon, what, Defect(name, tracer=apply))
+
+
+def _known(name: str, phenomenon: Phenomenon, what: str) -> Mutant:
+    return Mutant(name, "translator", phenomenon, what, DEFECTS[name])
+
+
+def _drop_total_reflection(lowered: dict[str, Any]) -> None:
+    lowered["paper"]["tir"] = "drop"
+
+
+def _lose_photons(lowered: dict[str, Any]) -> None:
+    lowered["plan"]["caustic"] = False
+
+
+def _pure_bands(lowered: dict[str, Any]) -> None:
+    """Red, yellow, green and blue as pure colours, whose sum is (2, 2, 1) instead of white."""
+    pure = {"red": [1.0, 0.0, 0.0], "yellow": [1.0, 1.0, 0.0], "green": [0.0, 1.0, 0.0], "blue": [0.0, 0.0, 1.0]}
+    for band in lowered["bands"]:
+        band["weight"] = pure.get(band["name"], band["weight"])
+
+
+def _lambert_without_fresnel(lowered: dict[str, Any]) -> None:
+    for material in lowered["materials"]:
+        material["fresnel"] = False
+
+
+TRANSLATOR = (
+    _known("missing_pi", P.DIFFUSION, "light colours are irradiance instead of irradiance over pi"),
+    _by_text("gamma", P.DIFFUSION, "assumed_gamma 2.2", _text(r"assumed_gamma 1\b", "assumed_gamma 2.2")),
+    _by_text("missing_cosine", P.DIFFUSION, "brilliance 0: no cosine", _text(r"diffuse 1\b", "diffuse 1 brilliance 0")),
+    _by_text("half_falloff", P.DIFFUSION, "falloff 1/r instead of 1/r^2", _text(r"fade_power 2\b", "fade_power 1")),
+    _by_text(
+        "default_finish",
+        P.DIFFUSION,
+        "the default ambient of 0.1 is left in place",
+        _text("ambient 0 ", "ambient 0.1 "),
+    ),
+    _by_text("no_shadows", P.SHADOW, "lights are shadowless", _text(r"(light_source \{ <[^>]*>)", r"\1 shadowless")),
+    _misread("point_lamps", P.SHADOW, "area lights shrink to their centre", misread.smaller_lamps(0.05)),
+    _misread("lost_ambient", P.INDIRECT_LIGHT, "ambient light is forgotten", misread.transport(indirect="none")),
+    _misread(
+        "squared_mirror",
+        P.REFLECTION,
+        "the mirror's colour is applied twice",
+        misread.materials(lambda m: {} if m.is_transmissive else {"reflection": misread.power(m.reflection, 2)}),
+    ),
+    _misread(
+        "white_mirror",
+        P.REFLECTION,
+        "mirrors take the mean of their colour",
+        misread.materials(lambda m: {} if m.is_transmissive else {"reflection": (sum(m.reflection) / 3,) * 3}),
+    ),
+    _misread("fresnel_off", P.REFRACTION, "Fresnel's share is forgotten", misread.glass(lambda m: {"fresnel": False})),
+    _misread("wrong_line", P.REFRACTION, "the index of another spectral line", misread.glass(misread.with_index(1.02))),
+    _by_text("depth_default", P.REFRACTION, "trace level 2", _text(r"max_trace_level \d+", "max_trace_level 2")),
+    _misread(
+        "tint_once",
+        P.COLOURED_TRANSMISSION,
+        "a pane is tinted once instead of at both faces",
+        misread.glass(lambda m: {"transmission": misread.power(m.transmission, 0.5)}),
+    ),
+    _misread(
+        "tint_twice",
+        P.COLOURED_TRANSMISSION,
+        "each face is tinted twice",
+        misread.glass(lambda m: {"transmission": misread.power(m.transmission, 2)}),
+    ),
+    _misread(
+        "blue_green_red",
+        P.COLOURED_TRANSMISSION,
+        "channels of the glass in the wrong order",
+        misread.glass(lambda m: {"transmission": m.transmission[::-1]}),
+    ),
+    _known("naive_fade", P.ABSORPTION, "colour and distance of attenuation pasted into fade_color"),
+    _misread("absorbs_twice", P.ABSORPTION, "absorption is doubled", misread.glass(misread.with_absorption(2))),
+    _misread("half_roughness", P.ROUGHNESS, "alpha for its square", misread.materials(misread.with_roughness(0.5))),
+    _misread("smooth", P.ROUGHNESS, "roughness is forgotten", misread.materials(misread.with_roughness(0))),
+    _misread("red_for_blue", P.DISPERSION, "the sign of dispersion", misread.glass(misread.with_dispersion(-1))),
+    _misread("narrow_spread", P.DISPERSION, "5 % of the spread is lost", misread.glass(misread.with_dispersion(0.95))),
+    _known("photon_overflow", P.CAUSTIC, "photons of flux 32 and more, which POV-Ray drops"),
+    _misread("moved_caustic", P.CAUSTIC, "the sun is 1.5 mrad off: 3 mm at 2 m", misread.turned_sun(1.5e-3)),
+)
+
+TRACER = (
+    _tracer_misread("bright_sun", P.DIFFUSION, "pi for 3: lights 5 % too bright", misread.brighter_suns(math.pi / 3)),
+    _tracer_misread("no_ambient", P.INDIRECT_LIGHT, "ambient light is skipped", misread.transport(indirect="none")),
+    _in_tracer(
+        "dropped_total", P.TOTAL_INTERNAL_REFLECTION, "total reflection drops the t share", _drop_total_reflection
+    ),
+    _in_tracer("no_fresnel", P.REFRACTION, "Fresnel's branch is never taken", _lambert_without_fresnel),
+    _tracer_misread(
+        "tint_2_percent",
+        P.COLOURED_TRANSMISSION,
+        "2 % more green",
+        misread.glass(
+            lambda m: {"transmission": (m.transmission[0], min(1.0, m.transmission[1] * 1.01), m.transmission[2])}
+        ),
+    ),
+    _tracer_misread(
+        "thin_glass", P.ABSORPTION, "half of the way is absorbed", misread.glass(misread.with_absorption(0.5))
+    ),
+    _in_tracer("pure_bands", P.DISPERSION, "band weights that do not sum to white", _pure_bands),
+    _in_tracer("lost_photons", P.CAUSTIC, "the photon pass is skipped", _lose_photons),
+    _tracer_misread(
+        "leaky_ball",
+        P.CAUSTIC,
+        "1 % of the flux of clear glass is lost",
+        misread.glass(
+            lambda m: {"transmission": (0.995,) * 3} if m.transmission == (1.0, 1.0, 1.0) and not m.fresnel else {}
+        ),
+    ),
+)
+
+MUTANTS: tuple[Mutant, ...] = (*TRANSLATOR, *TRACER)

@@ -1,0 +1,130 @@
+"""Scenes as a lowering that misunderstands them would read them; where a mistake has no say, nothing is changed."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+from vitrail.scene.model import Area, Directional, Light, Material, Object, Scene, Transport
+
+Misreading = Callable[[Scene], Scene]
+Triplet = tuple[float, float, float]
+
+
+def materials(change: Callable[[Material], dict[str, Any]]) -> Misreading:
+    """Replace fields of every material; what ``change`` returns may be empty."""
+
+    def misread(scene: Scene) -> Scene:
+        changed = {name: _updated(material, change(material)) for name, material in scene.materials.items()}
+        return scene.model_copy(update={"materials": changed})
+
+    return misread
+
+
+def glass(change: Callable[[Material], dict[str, Any]]) -> Misreading:
+    """Replace fields of transmissive materials only."""
+    return materials(lambda material: change(material) if material.is_transmissive else {})
+
+
+def lights(change: Callable[[Light], Light]) -> Misreading:
+    return lambda scene: scene.model_copy(update={"lights": tuple(change(light) for light in scene.lights)})
+
+
+def objects(change: Callable[[Object], Object]) -> Misreading:
+    return lambda scene: scene.model_copy(update={"objects": tuple(change(item) for item in scene.objects)})
+
+
+def transport(**changes: Any) -> Misreading:
+    def misread(scene: Scene) -> Scene:
+        return scene.model_copy(
+            update={"transport": Transport.model_validate({**scene.transport.model_dump(), **changes})}
+        )
+
+    return misread
+
+
+def power(colour: Triplet, exponent: float) -> Triplet:
+    return (colour[0] ** exponent, colour[1] ** exponent, colour[2] ** exponent)
+
+
+def times(colour: Triplet, factor: float) -> Triplet:
+    return (colour[0] * factor, colour[1] * factor, colour[2] * factor)
+
+
+def with_index(factor: float) -> Callable[[Material], dict[str, Any]]:
+    return lambda material: {} if material.ior is None or material.ior == 1 else {"ior": material.ior * factor}
+
+
+def with_dispersion(factor: float) -> Callable[[Material], dict[str, Any]]:
+    """Scale the step between bands about the mean index of four, so that only the spread changes."""
+
+    def change(material: Material) -> dict[str, Any]:
+        if not isinstance(material.dispersion, float) or material.ior is None:
+            return {}
+        return {
+            "dispersion": material.dispersion * factor,
+            "ior": material.ior + 1.5 * material.dispersion * (1 - factor),
+        }
+
+    return change
+
+
+def with_absorption(factor: float) -> Callable[[Material], dict[str, Any]]:
+    return lambda material: (
+        {} if material.absorption_per_m is None else {"absorption_per_m": times(material.absorption_per_m, factor)}
+    )
+
+
+def with_roughness(factor: float) -> Callable[[Material], dict[str, Any]]:
+    return lambda material: {"roughness": material.roughness * factor} if isinstance(material.roughness, float) else {}
+
+
+def turned_sun(angle: float) -> Misreading:
+    """Directional lights turned by ``angle`` radians about the z axis."""
+
+    def change(light: Light) -> Light:
+        emitter = light.emitter
+        if not isinstance(emitter, Directional):
+            return light
+        x, y, z = emitter.direction
+        sine, cosine = math.sin(angle), math.cos(angle)
+        turned = emitter.model_copy(update={"direction": (x * cosine - y * sine, x * sine + y * cosine, z)})
+        return light.model_copy(update={"directional": turned})
+
+    return lights(change)
+
+
+def smaller_lamps(factor: float) -> Misreading:
+    """Area lights shrunk to ``factor`` of their edges, with the same power."""
+
+    def change(light: Light) -> Light:
+        emitter = light.emitter
+        if not isinstance(emitter, Area) or emitter.rectangle is None or emitter.radiance is None:
+            return light
+        shape = emitter.rectangle
+        smaller = shape.model_copy(update={"u": times(shape.u, factor), "v": times(shape.v, factor)})
+        brighter = times(emitter.radiance, factor**-2)
+        return light.model_copy(
+            update={"area": emitter.model_copy(update={"rectangle": smaller, "radiance": brighter})}
+        )
+
+    return lights(change)
+
+
+def brighter_suns(factor: float) -> Misreading:
+    """Every directional light ``factor`` times as bright."""
+
+    def change(light: Light) -> Light:
+        emitter = light.emitter
+        if not isinstance(emitter, Directional):
+            return light
+        brighter = emitter.model_copy(update={"irradiance": times(emitter.irradiance, factor)})
+        return light.model_copy(update={"directional": brighter})
+
+    return lights(change)
+
+
+def _updated(material: Material, changes: dict[str, Any]) -> Material:
+    """A changed copy, not checked again: a defect may break the rules that a scene keeps."""
+    return material.model_copy(update=changes)
