@@ -40,9 +40,9 @@ def test_the_gather_radius_scales_exactly_with_the_scene(observe: bool, quality:
 
 
 def test_the_gather_radius_follows_the_smallest_caustic_patch() -> None:
-    """Half diagonal of a patch of half edges 1: sqrt 2 / 60 = 0.02357, to three bits of mantissa 0.02344."""
+    """Half diagonal of a patch of half edges 1: sqrt 2 / 120 = 0.01179, to three bits of mantissa 0.01172."""
     scene = ball_over_floor(observe=(SPOT,))
-    assert settings_for(scene, analyse(scene)).gather_radius_m == 0.0234375
+    assert settings_for(scene, analyse(scene)).gather_radius_m == 0.01171875
 
 
 def test_fewer_photons_gather_from_farther() -> None:
