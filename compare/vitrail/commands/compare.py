@@ -20,6 +20,9 @@ def compare(
     settings: list[str] = SETTINGS,
     threads: int = typer.Option(0, "--threads", min=0, help="Threads of an engine; 0 takes every core."),
     jobs: int = typer.Option(1, "--jobs", min=1, help="Scenes worked on at a time."),
+    rounds: int = typer.Option(
+        1, "--rounds", min=0, help="How often to buy up to 16 times the samples where in doubt."
+    ),
     references: Path | None = typer.Option(None, "--references", help="The folder of closed forms and thresholds."),
     inject_defect: str = typer.Option("", "--inject-defect", help="Put a known mistake in, to see it caught."),
     as_json: bool = typer.Option(False, "--json", help="Print results.json instead of the table."),
@@ -38,6 +41,7 @@ def compare(
             quality=quality,  # type: ignore[arg-type]
             threads=threads,
             jobs=jobs,
+            rounds=rounds,
             references=references,
             defect=defect_named(inject_defect),
             command=("vitrail", *sys.argv[1:]),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -28,14 +29,16 @@ observe: [{name: card, phenomenon: diffusion, patch: {center: [0, 0, 0], u: [0.2
 
 @dataclass
 class FormulaEngine:
-    """Renders ``radiance`` everywhere, with noise of relative size ``noise`` in each half.
+    """Renders ``radiance`` everywhere, with noise of relative size ``noise`` a sample in each half.
 
+    ``noisy`` limits the noise to the scene of that title.
     ``script`` has a word for each render to come: empty to succeed, ``interrupt`` for Ctrl-C, else words to fail with.
     """
 
     name: str
     radiance: float = 0.5
     noise: float = 0.0
+    noisy: str = ""
     script: list[str] = field(default_factory=list)
     spoil: Callable[[np.ndarray], np.ndarray] = field(default=lambda image: image)
     renders: int = 0
@@ -51,8 +54,11 @@ class FormulaEngine:
         if word:
             raise EngineFailure(self.name, "it stopped", "mend it", word)
         scene_hash = lowered["scene_hash"] if isinstance(lowered, dict) else lowered.scene_hash
+        is_quiet = bool(self.noisy) and (not isinstance(lowered, dict) or lowered["title"] != self.noisy)
+        samples = lowered["settings"]["samples"] if isinstance(lowered, dict) else 1
+        noise = 0.0 if is_quiet else self.noise / math.sqrt(samples)
         rng = np.random.default_rng(sum(map(ord, self.name)))
-        halves = [self.radiance * (1 + self.noise * rng.standard_normal((32, 32, 3))) for _ in "ab"]
+        halves = [self.radiance * (1 + noise * rng.standard_normal((32, 32, 3))) for _ in "ab"]
         path = out_dir / f"{self.name}.exr"
         metadata = {"vitrail:scene_hash": scene_hash, "vitrail:settings": json.dumps({"seed": 1})}
         write_image(

@@ -85,6 +85,26 @@ def test_noise_is_doubt_and_says_how_many_more_samples_decide(tmp_path: Path, ca
     assert any(entry.sample_factor and entry.sample_factor > 1 for entry in doubtful)
 
 
+def test_doubt_buys_samples_and_only_for_the_scene_in_doubt(tmp_path: Path, card: Loaded) -> None:
+    other = card.path.with_name("other.yaml")
+    other.write_text(CARD.replace("Grey card", "Second card"))
+    tracer = FormulaEngine("tracer", noise=0.02, noisy="Second card")
+    results = run(tmp_path, [card, load(other)], tracer=tracer, rounds=2)
+    assert results.exit_code == 0, "sixteen times the samples were offered and decide"
+    sure, doubtful = results.scenes
+    assert sure.settings["samples"] == 1 and doubtful.settings["samples"] > 1
+    assert f"--set samples={doubtful.settings['samples']}" in doubtful.reproduce
+    # Three looks at every number count as three comparisons.
+    numbers = sum(len(each.comparisons) for scene in results.scenes for each in scene.observations)
+    assert results.false_alarms.comparisons == 3 * numbers
+
+
+def test_doubt_that_outlasts_the_rounds_stays_doubt(tmp_path: Path, card: Loaded) -> None:
+    tracer = FormulaEngine("tracer", noise=5.0)
+    results = run(tmp_path, [card], tracer=tracer, rounds=1)
+    assert (results.verdict, tracer.renders) == (Verdict.INCONCLUSIVE, 2)
+
+
 def test_a_failing_engine_stops_its_scene_and_no_other(tmp_path: Path, card: Loaded) -> None:
     other = card.path.with_name("other.yaml")
     other.write_text(CARD)

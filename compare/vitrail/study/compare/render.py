@@ -79,6 +79,7 @@ def _render(
         lambda work: engine.render(lowered, work, threads=request.threads, progress=progress),
     )
     place.mkdir(parents=True, exist_ok=True)
+    shutil.rmtree(place / side, ignore_errors=True)
     for path in sorted(made.image_path.parent.rglob("*")):
         if path.is_file() and path.name != "record.json":
             _link(path, place / path.relative_to(made.image_path.parent))

@@ -34,7 +34,8 @@ class Defect:
 class Request:
     """Scenes and settings of one run. ``overrides`` replace fields of the settings; ``out`` holds the results.
 
-    ``threads`` 0 takes every core; ``jobs`` scenes are worked on at a time. ``references`` is the folder of closed
+    ``threads`` 0 takes every core; ``jobs`` scenes are worked on at a time; after the first look up to ``rounds`` more
+    buy samples for the scenes in doubt. ``references`` is the folder of closed
     forms and thresholds, or None for the one nearest to each scene.
     """
 
@@ -43,6 +44,7 @@ class Request:
     overrides: Mapping[str, object] = field(default_factory=dict)
     threads: int = 0
     jobs: int = 1
+    rounds: int = 0
     references: Path | None = None
     defect: Defect = Defect()
     engines: Mapping[str, Engine] = field(default_factory=lambda: {"tracer": Tracer(), "povray": Povray()})

@@ -6,8 +6,9 @@ import os
 import platform
 import sys
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
+from dataclasses import replace
 from datetime import UTC, datetime
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
@@ -21,6 +22,7 @@ from vitrail.judge.references import read_scene_truth, references_folder
 from vitrail.judge.thresholds import read_thresholds
 from vitrail.judge.verdict import overall
 from vitrail.scene.load import Loaded
+from vitrail.study.compare.more_samples import more, wanted_factor
 from vitrail.study.compare.request import Request
 from vitrail.study.compare.scene_run import SceneRun, run_scene
 
@@ -43,14 +45,17 @@ def compare(scenes: Sequence[Loaded], request: Request, watch: Watch = lambda *s
     def finish() -> Results:
         ordered = [runs[name] for name in names if name in runs]
         spent = {"wall_s": round(time.monotonic() - clock, 3), "interrupted": interrupted}
-        results = judge(ordered, about.model_copy(update=spent))
+        results = judge(ordered, about.model_copy(update=spent), looks=1 + request.rounds)
         write_results(results, request.out / "results.json")
         return results
 
     try:
-        for name, run in _each(list(zip(names, scenes, strict=True)), request, watch):
-            runs[name] = run
-            finish()
+        todo = [(name, loaded, request) for name, loaded in zip(names, scenes, strict=True)]
+        for _ in range(1 + request.rounds):
+            for name, run in _each(todo, request.jobs, watch):
+                runs[name] = run
+                finish()
+            todo = _undecided(finish(), dict(zip(names, scenes, strict=True)), request)
     except KeyboardInterrupt:
         interrupted = True
     return finish()
@@ -64,9 +69,20 @@ def _check_references(scenes: Sequence[Loaded], request: Request) -> None:
         read_scene_truth(folder, loaded.path.stem, loaded.scene)
 
 
-def judge(runs: Sequence[SceneRun], about: Run) -> Results:
-    """All verdicts of a run, at the level that its number of comparisons asks for."""
-    comparisons = sum(len(observed.measured) for run in runs for observed in run.observed)
+def _undecided(results: Results, scenes: Mapping[str, Loaded], request: Request) -> list[tuple[str, Loaded, Request]]:
+    """The scenes in doubt, each with a request for as many more samples as its numbers ask for."""
+    found = []
+    for scene in results.scenes:
+        factor = wanted_factor(scene)
+        if factor is not None:
+            overrides = {**request.overrides, **more(scene.settings, factor)}
+            found.append((scene.name, scenes[scene.name], replace(request, overrides=overrides)))
+    return found
+
+
+def judge(runs: Sequence[SceneRun], about: Run, looks: int = 1) -> Results:
+    """All verdicts of a run, at the level that its number of comparisons asks for, each looked at ``looks`` times."""
+    comparisons = looks * sum(len(observed.measured) for run in runs for observed in run.observed)
     folders = {run.references for run in runs if run.references is not None}
     rules = {folder: read_thresholds(folder / "thresholds.yaml") for folder in folders}
     rate = min((each.suite_false_alarm_rate for each in rules.values()), default=SUITE_FALSE_ALARM_RATE)
@@ -100,19 +116,19 @@ def scene_names(paths: Sequence[Path]) -> list[str]:
     return [name if names.index(name) == place else f"{name}-{place}" for place, name in enumerate(names)]
 
 
-def _each(named: list[tuple[str, Loaded]], request: Request, watch: Watch) -> Iterator[tuple[str, SceneRun]]:
-    """(name, run) of every scene as it finishes, ``request.jobs`` at a time."""
-    if request.jobs == 1:
-        for name, loaded in named:
+def _each(todo: list[tuple[str, Loaded, Request]], jobs: int, watch: Watch) -> Iterator[tuple[str, SceneRun]]:
+    """(name, run) of every scene as it finishes, ``jobs`` at a time."""
+    if jobs == 1:
+        for name, loaded, request in todo:
             yield name, run_scene(loaded, name, request, _watched(watch, name))
         return
-    waiting = list(reversed(named))
-    with ThreadPoolExecutor(request.jobs) as pool:
+    waiting = list(reversed(todo))
+    with ThreadPoolExecutor(jobs) as pool:
         going: dict[Future[SceneRun], str] = {}
         try:
             while waiting or going:
-                while waiting and len(going) < request.jobs:
-                    name, loaded = waiting.pop()
+                while waiting and len(going) < jobs:
+                    name, loaded, request = waiting.pop()
                     going[pool.submit(run_scene, loaded, name, request, _watched(watch, name))] = name
                 for future in wait(going, return_when=FIRST_COMPLETED).done:
                     yield going.pop(future), future.result()
