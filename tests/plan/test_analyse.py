@@ -156,3 +156,26 @@ def test_everything_needs_at_least_what_the_plan_needs() -> None:
         scene = ball_over_floor(material, transport="{indirect: photons}")
         most = everything(scene)
         assert all(most.requires(phenomenon) for phenomenon in required(scene))
+
+
+ROOM = "{name: room, sphere: {center: [0, 0, 0], radius: 5}, material: %s}"
+INSIDE = "{position: [0, 0, 3], look_at: [0, 0, 0], fov_deg: 60}"
+BULB = "{name: bulb, point: {position: [0, 1, 0], intensity: 1}}"
+
+
+def test_a_room_seen_from_inside_lights_and_shadows_itself() -> None:
+    scene = make(ROOM % "white", camera=INSIDE, lights=(BULB,), transport="{indirect: photons}")
+    assert {P.INDIRECT_LIGHT, P.SHADOW} <= required(scene)
+
+
+def test_the_same_ball_seen_from_outside_does_not() -> None:
+    scene = make(ROOM % "white", lights=(BULB,), transport="{indirect: photons}")
+    assert {P.INDIRECT_LIGHT, P.SHADOW}.isdisjoint(required(scene))
+
+
+def test_a_mirrored_room_has_caustics_and_no_end() -> None:
+    scene = make(ROOM % "white", camera=INSIDE, lights=(BULB,))
+    shiny = scene.materials["white"].model_copy(update={"reflection": (0.1, 0.1, 0.1)})
+    room = scene.model_copy(update={"materials": {**scene.materials, "white": shiny}})
+    assert P.CAUSTIC in required(room)
+    assert not analyse(room).chain.proven

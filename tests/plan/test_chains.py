@@ -11,6 +11,7 @@ from vitrail.scene.model import Scene
 SECOND = "{name: second, sphere: {center: [5, 2, 0], radius: 1}, material: %s}"
 PANE = "{name: pane, box: {min: [-1, 1, -1], max: [1, 1.1, 1]}, material: %s}"
 INSIDE = "{position: [0, 2.5, 0], look_at: [0, 0, 0], up: [0, 0, -1], fov_deg: 40}"
+THROUGH = "{kind: orthographic, position: [0, 2, 0], look_at: [0, 0, 0], up: [0, 0, -1], height: 4}"
 LAMP_INSIDE = "{name: lamp, point: {position: [0.5, 2, 0], intensity: 1}}"
 
 
@@ -42,6 +43,9 @@ def test_proven_chains(scene: Scene, expected: tuple[int, int]) -> None:
         ball_over_floor("clear", camera=INSIDE),
         ball_over_floor("clear", lights=(LAMP_INSIDE,)),
         ball_over_floor("clear", paper="{refraction: literal}"),
+        ball_over_floor("clear", transport="{indirect: photons}"),
+        ball_over_floor("clear", camera=THROUGH),
+        ball_over_floor("mirror", camera=INSIDE),
     ],
 )
 def test_no_proof_means_the_limits_of_the_scene(scene: Scene) -> None:

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from vitrail.plan.convexity import is_convex_or_flat
+from vitrail.plan.convexity import NEAR, camera_may_be_inside, is_convex_or_flat, never_meets_itself
 from vitrail.plan.plan import Chain
 from vitrail.plan.stated_error import SHARE
-from vitrail.scene.model import Area, Material, Object, Plane, Scene, Sphere
+from vitrail.scene.model import Area, Material, Object, Plane, Point, Scene, Sphere, Spot
 from vitrail.scene.placement import place
 from vitrail.scene.vector import length, subtract
 
@@ -14,13 +14,13 @@ def longest_chain(scene: Scene) -> Chain:
     """The longest specular chain of a scene, never above what ``transport`` allows.
 
     A few cases have a proof; every other keeps the limits of the scene, and says so. The literal readings of the paper
-    bend light in ways that the proofs do not cover.
+    bend light in ways that the proofs do not cover, and interreflection starts new chains anywhere.
     """
     specular = [item for item in scene.objects if scene.material_of(item).is_specular]
     if not specular:
         return _chain(scene, 0, 0, "nothing mirrors or refracts")
-    if scene.paper.refraction == "corrected":
-        if len(specular) == 1 and _mirrors_once(scene.material_of(specular[0]), specular[0]):
+    if scene.paper.refraction == "corrected" and scene.transport.indirect != "photons":
+        if len(specular) == 1 and _mirrors_once(scene, specular[0]):
             return _chain(scene, 1, 0, f"`{specular[0].name}` is the only mirror and never mirrors itself")
         if len(specular) == 1 and _is_crossed_once(scene, specular[0]):
             return _chain(scene, 0, 2, f"`{specular[0].name}` is a ball without mirror share: light gets in and out")
@@ -37,9 +37,9 @@ def _chain(scene: Scene, reflections: int, transmissions: int, reason: str) -> C
     return Chain(min(reflections, limits.max_reflections), min(transmissions, limits.max_transmissions), True, reason)
 
 
-def _mirrors_once(material: Material, item: Object) -> bool:
-    """An opaque mirror that is convex or flat: a mirrored ray leaves it for good."""
-    return not material.is_transmissive and is_convex_or_flat(item)
+def _mirrors_once(scene: Scene, item: Object) -> bool:
+    """An opaque mirror that is convex or flat, seen from outside: a mirrored ray leaves it for good."""
+    return not scene.material_of(item).is_transmissive and never_meets_itself(scene, item)
 
 
 def _is_invisible(material: Material) -> bool:
@@ -63,11 +63,10 @@ def _is_crossed_once(scene: Scene, item: Object) -> bool:
     material, shape = scene.material_of(item), place(item).shape
     if not isinstance(shape, Sphere) or not _passes_only(material):
         return False
-    if any(isinstance(light.emitter, Area) for light in scene.lights):
+    if any(isinstance(light.emitter, Area) for light in scene.lights) or camera_may_be_inside(scene, item):
         return False
-    points = [scene.camera.position]
-    points += [p for light in scene.lights if (p := getattr(light.emitter, "position", None)) is not None]
-    return all(length(subtract(point, shape.center)) > shape.radius * (1 + 1e-9) for point in points)
+    lamps = [light.emitter.position for light in scene.lights if isinstance(light.emitter, Point | Spot)]
+    return all(length(subtract(lamp, shape.center)) > shape.radius * (1 + NEAR) for lamp in lamps)
 
 
 def _passes_only(material: Material) -> bool:

@@ -1,9 +1,14 @@
-"""Shapes that a straight ray leaves for good: convex bodies and flat pieces."""
+"""Things that a straight ray leaves for good: flat pieces, and convex bodies seen from outside."""
 
 from __future__ import annotations
 
 from typing import assert_never
 
+import numpy as np
+
+from vitrail.plan.bounds import around, bounds_of
+from vitrail.plan.view import view_of
+from vitrail.scene.inside import depth_in
 from vitrail.scene.model import (
     Box,
     Cone,
@@ -15,8 +20,36 @@ from vitrail.scene.model import (
     Plane,
     Prism,
     Rectangle,
+    Scene,
     Sphere,
 )
+
+NEAR = 1e-9
+"""A camera nearer to a face than this share of its distance from the origin may be on either side."""
+
+
+def never_meets_itself(scene: Scene, item: Object) -> bool:
+    """Whether no light goes from an opaque thing to itself where the camera could see it.
+
+    A convex body does light and shadow itself inside; that shows only where the camera is inside too.
+    """
+    return is_convex_or_flat(item) and not camera_may_be_inside(scene, item)
+
+
+def camera_may_be_inside(scene: Scene, item: Object) -> bool:
+    """Whether rays of the camera may start inside a body; an opaque plane counts as a sheet without an inside."""
+    if isinstance(item.shape, (Plane, Rectangle, Disc)):
+        return False
+    if isinstance(item.shape, Mesh):
+        return True
+    camera = scene.camera
+    if camera.kind == "perspective":
+        slack = NEAR * (1 + float(np.linalg.norm(camera.position)))
+        return bool(depth_in(item, np.array([camera.position], float))[0] >= -slack)
+    # The rays of an orthographic camera start all over its picture.
+    view, body = view_of(camera, scene.image), bounds_of(item)
+    starts = around(view.corner_ray(sx, sy)[0] for sx in (-1.0, 1.0) for sy in (-1.0, 1.0))
+    return all(a <= d and c <= b for a, b, c, d in zip(starts.low, starts.high, body.low, body.high, strict=True))
 
 
 def is_convex_or_flat(item: Object) -> bool:

@@ -21,12 +21,13 @@ class Lever:
     """Pixels on the screen per radian of turn: a typical number, and one that is never exceeded.
 
     Both hold for turns small against 1 radian, on a receiver that faces the light and the camera. ``where`` names the
-    receiver, or what is seen through the object.
+    receiver, or says that it is what is seen ``through`` the object.
     """
 
     typical_px: float
     most_px: float
     where: str
+    through: bool = False
 
 
 def lever_on(view: View, source: Object, receiver: Object) -> Lever:
@@ -42,8 +43,8 @@ def lever_on(view: View, source: Object, receiver: Object) -> Lever:
 def lever_through(view: View, source: Object) -> Lever:
     """What is seen in or through ``source``: at worst everything behind it is far away, and turns as the ray does."""
     if view.perspective:
-        return Lever(1 / view.pixel_angle, 1 / view.pixel_angle, f"seen in or through `{source.name}`")
-    return Lever(math.inf, math.inf, f"seen in or through `{source.name}`")
+        return Lever(1 / view.pixel_angle, 1 / view.pixel_angle, "in what is seen in or through it", True)
+    return Lever(math.inf, math.inf, "in what is seen in or through it", True)
 
 
 def _most_on(view: View, origin: Bounds, receiver: Object) -> float:

@@ -8,11 +8,11 @@ specular object in view. What stands in between is ignored.
 from __future__ import annotations
 
 from vitrail.plan.bounds import bounds_of
-from vitrail.plan.convexity import is_convex_or_flat
+from vitrail.plan.convexity import never_meets_itself
 from vitrail.plan.light_reach import may_reach
 from vitrail.plan.plan import CausticPath
 from vitrail.plan.view import View, view_of
-from vitrail.scene.model import Material, Object, Plane, Scene
+from vitrail.scene.model import Object, Plane, Scene
 from vitrail.scene.placement import place
 
 
@@ -52,18 +52,18 @@ def caustic_paths(scene: Scene) -> tuple[CausticPath, ...]:
         for light in scene.lights
         for specular in _lit_by_chains(scene, light.name)
         for receiver in receivers
-        if may_send(scene.material_of(specular), specular, receiver)
+        if may_send(scene, specular, receiver)
     )
 
 
-def may_send(material: Material, source: Object, target: Object) -> bool:
+def may_send(scene: Scene, source: Object, target: Object) -> bool:
     """Whether light that left ``source`` in a mirrored or refracted direction may fall on ``target``.
 
-    An opaque convex or flat mirror never lights itself; everything else may light everything.
+    An opaque convex or flat mirror never lights itself where that is seen; everything else may light everything.
     """
     if source is not target:
         return True
-    return material.is_transmissive or not is_convex_or_flat(source)
+    return scene.material_of(source).is_transmissive or not never_meets_itself(scene, source)
 
 
 def _lit_by_chains(scene: Scene, light_name: str) -> tuple[Object, ...]:

@@ -10,7 +10,7 @@ import math
 from typing import assert_never
 
 from vitrail.plan.bounds import Bounds, bounds_of, bounds_of_light, plane_distance
-from vitrail.plan.convexity import is_convex_or_flat
+from vitrail.plan.convexity import never_meets_itself
 from vitrail.scene.model import (
     Area,
     Box,
@@ -41,10 +41,11 @@ SLACK = 1e-9
 def may_shadow(scene: Scene, light: Light, receiver: Object, occluder: Object) -> bool:
     """Whether ``occluder`` may take light of ``light`` from ``receiver``.
 
-    An opaque convex or flat thing does not shadow itself: where it would, its surface faces away from the light.
+    An opaque convex or flat thing does not shadow itself: where it would, its surface faces away from the light. That
+    is so for what is seen from outside.
     """
     if occluder is receiver:
-        return scene.material_of(occluder).is_transmissive or not is_convex_or_flat(occluder)
+        return scene.material_of(occluder).is_transmissive or not never_meets_itself(scene, occluder)
     emitter = light.emitter
     match emitter:
         case Environment():

@@ -66,9 +66,11 @@ def _by_pixels(
 
 
 def _on_screen(turn: float, levers: list[Lever]) -> str:
-    """The angle, and the receiver where it makes most pixels."""
-    largest = max(levers, key=lambda lever: lever.typical_px)
-    return f"{degrees(turn)}, about {pixels(turn * largest.typical_px)} {largest.where}"
+    """The angle, and the pixels it makes through the glass itself and on the receiver where it makes most."""
+    receivers = [lever for lever in levers if not lever.through]
+    shown = [lever for lever in levers if lever.through]
+    shown += [max(receivers, key=lambda lever: lever.typical_px)] if receivers else []
+    return f"{degrees(turn)}, about " + " and ".join(f"{pixels(turn * e.typical_px)} {e.where}" for e in shown)
 
 
 def _spread(facts: Facts, item: Object) -> tuple[float, float, str]:

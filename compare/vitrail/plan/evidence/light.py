@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from vitrail.plan.bounds import bounds_of
-from vitrail.plan.convexity import is_convex_or_flat
+from vitrail.plan.convexity import never_meets_itself
 from vitrail.plan.evidence.words import LONGEST_LIST, colour, needed, not_needed
 from vitrail.plan.facts import Facts
 from vitrail.plan.intercepted import intercepted_power
@@ -34,7 +34,7 @@ def indirect_light(facts: Facts) -> Requirement:
         return not_needed("`transport.indirect` is none")
     if not facts.diffuse_seen:
         return not_needed("nothing diffuse can be seen")
-    if len(facts.scene.objects) == 1 and is_convex_or_flat(facts.scene.objects[0]):
+    if len(facts.scene.objects) == 1 and never_meets_itself(facts.scene, facts.scene.objects[0]):
         return not_needed(f"`{facts.scene.objects[0].name}` is alone and never lights itself")
     brightest = max(max(facts.scene.material_of(item).diffuse_peak) for item in facts.scene.objects)
     if brightest < SHARE:
