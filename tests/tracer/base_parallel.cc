@@ -42,13 +42,13 @@ TEST(Diagnostic, SaysWhereWhatAndWhatToDo) {
   EXPECT_STREQ(error.what(), "scene.image.width: is 0; write 1 or more\nb: c; d");
 }
 
-TEST(ExactSum, KeepsWhatAPlainSumLoses) {
-  ExactSum sum;
-  sum.add_product(1e9 + 1, 1e9 + 1);
-  sum.add_product(-1e9, 1e9);
-  EXPECT_EQ(sum.value(), 2e9 + 1);
-  sum.add(1e-10);
-  EXPECT_EQ(sum.value(), 2e9 + 1 + 1e-10);
+TEST(Exact, KeepsWhatRoundingLoses) {
+  const Exact sum = exact_sum(1e16, 1.5);
+  EXPECT_EQ(sum.value, 1e16 + 2);
+  EXPECT_EQ(sum.error, -0.5);
+  const Exact product = exact_product(1 + 0x1p-30, 1 + 0x1p-30);
+  EXPECT_EQ(product.value, 1 + 0x1p-29);
+  EXPECT_EQ(product.error, 0x1p-60);
 }
 
 TEST(SurfaceFrame, FollowsTheRuleOfTheSceneLanguage) {

@@ -21,23 +21,4 @@ inline Exact exact_product(double a, double b) {
   return {product, std::fma(a, b, -product)};
 }
 
-/// A sum of many terms with about twice the digits of a double.
-class ExactSum {
- public:
-  void add(double term) {
-    const Exact next = exact_sum(sum_, term);
-    sum_ = next.value;
-    error_ += next.error;
-  }
-  void add_product(double a, double b) {
-    const Exact product = exact_product(a, b);
-    add(product.value);
-    error_ += product.error;
-  }
-  double value() const { return sum_ + error_; }
-
- private:
-  double sum_ = 0, error_ = 0;
-};
-
 }  // namespace vitrail

@@ -87,7 +87,8 @@ Nearest Intersector::State::nearest(const Ray& ray, const Departures& departures
   }
   if (tree) tree->closest(ray, departures, found);
   for (const Departure& left : departures)
-    if (left.inside && std::holds_alternative<Mesh>(primitives[left.object])) leave_mesh(ray, left, found);
+    if (left.inside && std::holds_alternative<Mesh>(primitives[left.object])) [[unlikely]]
+      leave_mesh(ray, left, found);
   return found;
 }
 
@@ -146,6 +147,7 @@ bool Intersector::closest(const Ray& ray, const Departures& departures, Hit& hit
   hit.t = first.t;
   hit.crossings.clear();
   hit.crossings.push_back(state_->crossing(ray, first, &hit.point));
+  if (found.all().size() == 1) return true;
 
   // Add the faces that lie on this one within rounding: the gap along the ray, seen along the normal.
   const double slant = std::abs(dot(ray.direction, hit.crossings[0].normal));

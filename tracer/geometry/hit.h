@@ -19,6 +19,15 @@ struct Departure {
 template <typename Value, int capacity>
 class Few {
  public:
+  Few() = default;
+  /// Copy what is there and not the empty places: these values are on the way of every ray.
+  Few(const Few& other) { *this = other; }
+  Few& operator=(const Few& other) {
+    size_ = other.size_;
+    for (int i = 0; i < size_; ++i) values_[i] = other.values_[i];
+    return *this;
+  }
+
   const Value* begin() const { return values_.data(); }
   const Value* end() const { return values_.data() + size_; }
   Value* begin() { return values_.data(); }

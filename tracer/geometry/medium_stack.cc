@@ -7,7 +7,7 @@ namespace vitrail {
 void MediumSet::enter(std::uint32_t object, bool counted) {
   for (int i = 0; i < size_; ++i)
     if (objects_[i] == object) {
-      if (counted && counts_[i] < 255) ++counts_[i];
+      if (counted) ++counts_[i];
       return;
     }
   if (size_ == kCapacity)

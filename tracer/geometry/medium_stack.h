@@ -16,6 +16,15 @@ class MediumSet {
  public:
   static constexpr int kCapacity = 15;
 
+  MediumSet() = default;
+  /// Copy what is there and not the empty places: this goes along with every ray.
+  MediumSet(const MediumSet& other) { *this = other; }
+  MediumSet& operator=(const MediumSet& other) {
+    size_ = other.size_;
+    for (int i = 0; i < size_; ++i) objects_[i] = other.objects_[i], counts_[i] = other.counts_[i];
+    return *this;
+  }
+
   /// Cross one surface of an object: come in or go out. Self-overlapping meshes count, all other solids are in or out.
   void enter(std::uint32_t object, bool counted = false);
   void leave(std::uint32_t object);
@@ -28,8 +37,8 @@ class MediumSet {
 
  private:
   std::uint32_t objects_[kCapacity];
-  std::uint8_t counts_[kCapacity];
-  std::uint8_t size_ = 0;
+  std::uint32_t counts_[kCapacity];
+  int size_ = 0;
 };
 
 }  // namespace vitrail

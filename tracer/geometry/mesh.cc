@@ -98,8 +98,8 @@ bool Mesh::intersect_triangle(std::uint32_t triangle, const Ray& ray, const Depa
   const double t = (u * a.z + v * b.z + w * c.z) / area;
   const bool entering = first < 0;
 
-  // Within rounding of the start, believe what is known of the side and not the sign of t: a ray inside goes out, now or
-  // later, and a ray outside does not come in again where it stands.
+  // Within rounding of the start, believe what is known of the side and not the sign of t: a ray inside goes out, now
+  // or later, and a ray outside does not come in again where it stands.
   if (left != nullptr && std::abs(t) <= position_error(ray.origin)) {
     if (!left->inside || entering) return false;
     hit = {t > 0 ? t : 0.0, triangle, false};

@@ -2,8 +2,7 @@
 
 namespace vitrail {
 
-void Nearest::offer(std::uint32_t object, const ShapeHit& hit) {
-  if (hit.t > horizon()) return;
+void Nearest::offer_close(std::uint32_t object, const ShapeHit& hit) {
   const Candidate candidate{hit.t, object, hit.face, hit.entering};
 
   // Keep the list in order, one entry an object, the farthest dropped when it is full.

@@ -18,7 +18,16 @@ class Nearest {
   };
 
   /// Note a hit unless it is too far behind the nearest to coincide with it. Of one object only the first counts.
-  void offer(std::uint32_t object, const ShapeHit& hit);
+  void offer(std::uint32_t object, const ShapeHit& hit) {
+    // Mostly a hit is alone: the first one, one far before the others, or one far behind.
+    if (hit.t > horizon()) return;
+    if (empty() || hit.t + window(hit.t) < first().t) {
+      found_.clear();
+      found_.push_back({hit.t, object, hit.face, hit.entering});
+    } else {
+      offer_close(object, hit);
+    }
+  }
 
   bool empty() const { return found_.size() == 0; }
   const Candidate& first() const { return found_[0]; }
@@ -28,6 +37,8 @@ class Nearest {
   double horizon() const { return empty() ? kInfinity : first().t + window(first().t); }
 
  private:
+  void offer_close(std::uint32_t object, const ShapeHit& hit);
+
   /// Generous against rounding at any incidence that matters; the exact test comes once the nearest hit is known.
   double window(double t) const { return (reach_ + t) * 0x1p-30; }
 

@@ -14,13 +14,8 @@ bool first_event(const Span* begin, const Span* end, const Departure* left, Shap
       return true;
     }
 
-    // Outside by departure: a span that seems to hold the ray already is entered now, unless its start is what was
-    // left.
-    if (left != nullptr) {
-      if (departs_from(left, span->face_in) && !(span->in > 0)) continue;
-      hit = {span->in > 0 ? span->in : 0.0, span->face_in, true};
-      return true;
-    }
+    // Outside by departure: a span that seems to hold the ray already was left or is missed by a hair.
+    if (left != nullptr && !(span->in > 0)) continue;
 
     // No departure: the origin alone decides.
     hit = span->in > 0 ? ShapeHit{span->in, span->face_in, true} : ShapeHit{span->out, span->face_out, false};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "material/sides.h"
 #include "optics/absorption.h"
 #include "optics/fresnel.h"
 #include "optics/refract.h"
@@ -19,72 +20,6 @@ MediumIndex index_of(const Scene& scene, std::uint32_t object, std::uint32_t ban
   const Material& material = scene.material_of(object);
   if (ior_of_camera) return {material.camera_ior, material.camera_ior - 1};
   return {material.ior_by_band[band], material.ior_minus_one_by_band[band]};
-}
-
-bool is_opaque(const Scene& scene, std::uint32_t object) {
-  return object != kAir && !scene.material_of(object).transmits();
-}
-
-bool is_solid(const Shape& shape) {
-  return !std::holds_alternative<RectangleShape>(shape) && !std::holds_alternative<DiscShape>(shape) &&
-         !std::holds_alternative<PlaneShape>(shape);
-}
-
-/// A solid of glass with a higher priority has displaced the opaque solid here: its surface is not there.
-bool is_displaced(const Scene& scene, const Crossing& crossing, const MediumSet& media) {
-  const std::uint32_t ruler = media.ruler(scene);
-  return ruler != kAir && is_solid(scene.objects[crossing.object].shape) &&
-         scene.objects[ruler].priority > scene.objects[crossing.object].priority;
-}
-
-/// The media on both sides of a hit, and whose surface it is.
-struct Sides {
-  MediumSet before, after;
-  const Crossing* owner = nullptr;    // the surface that acts
-  const Crossing* partner = nullptr;  // the other solid of glass that touches here, if any
-  bool opaque = false;
-};
-
-/// Cross every surface of the hit at once: sets, and not the order of arrival, decide what is on the other side.
-Sides cross_all(const Scene& scene, const Hit& hit, const MediumSet& media) {
-  Sides sides{media, {}, nullptr, nullptr, false};
-  for (const Crossing& c : hit.crossings)
-    if (!c.entering && scene.material_of(c.object).transmits() && !sides.before.contains(c.object))
-      sides.before.enter(c.object);  // the way in was lost to rounding: a ray that comes out has been inside
-
-  sides.after = sides.before;
-  for (const Crossing& c : hit.crossings) {
-    // Stop at an opaque surface, unless higher glass displaces it; then only remember to be inside it.
-    if (is_opaque(scene, c.object) && !is_displaced(scene, c, sides.before)) {
-      const bool first =
-          !sides.opaque || scene.objects[c.object].priority > scene.objects[sides.owner->object].priority;
-      if (first) sides.owner = &c;
-      sides.opaque = true;
-    }
-    c.entering ? sides.after.enter(c.object, c.counted) : sides.after.leave(c.object);
-  }
-  return sides;
-}
-
-const Crossing* crossing_of(const Hit& hit, std::uint32_t object) {
-  for (const Crossing& c : hit.crossings)
-    if (c.object == object) return &c;
-  return nullptr;
-}
-
-/// Where glass meets glass or air: the surface belongs to the solid that begins or ends to rule here.
-void find_owner(const Scene& scene, const Hit& hit, Sides& sides) {
-  const std::uint32_t from = sides.before.ruler(scene), to = sides.after.ruler(scene);
-  const Crossing *left = crossing_of(hit, from), *entered = crossing_of(hit, to);
-  sides.owner = entered != nullptr ? entered : left;
-  if (sides.owner == nullptr) sides.owner = &hit.crossings[0];
-  if (entered != nullptr && left != nullptr && entered != left) sides.partner = left;
-
-  // An opaque solid that was displaced begins where the glass around it ends.
-  if (is_opaque(scene, to)) {
-    sides.opaque = true;
-    sides.partner = nullptr;
-  }
 }
 
 /// The shares of a surface. Two solids in contact act like their two faces at no distance: tints multiply, the stronger
@@ -139,9 +74,9 @@ void add_branches(const Paper& paper, const Hit& hit, Vec3 direction, const Side
     mirrored = paper.tir_drop ? shares.reflection : pool;
   }
   if (!is_black(mirrored))
-    result.reflect = {true, reflect(direction, result.facing_normal), mirrored, hit.back(), sides.before};
+    result.reflect.set(reflect(direction, result.facing_normal), mirrored, hit.back(), sides.before);
   if (transmits && !is_black(refracted))
-    result.transmit = {true, refraction.direction, refracted, hit.through(), sides.after};
+    result.transmit.set(refraction.direction, refracted, hit.through(), sides.after);
 }
 
 }  // namespace
@@ -149,24 +84,30 @@ void add_branches(const Paper& paper, const Hit& hit, Vec3 direction, const Side
 Interaction interact(const Scene& scene, const Hit& hit, Vec3 direction, const MediumSet& media, std::uint32_t band,
                      bool ior_of_camera) {
   Interaction result;
-  Sides sides = cross_all(scene, hit, media);
-  if (!sides.opaque) find_owner(scene, hit, sides);
-  result.medium_before = sides.before.ruler(scene);
-  result.medium_after = sides.opaque ? result.medium_before : sides.after.ruler(scene);
+  interact(scene, hit, direction, media, band, ior_of_camera, result);
+  return result;
+}
+
+void interact(const Scene& scene, const Hit& hit, Vec3 direction, const MediumSet& media, std::uint32_t band,
+              bool ior_of_camera, Interaction& result) {
+  Sides sides;
+  find_sides(scene, hit, media, sides);
+  result.medium_before = sides.ruler_before;
+  result.medium_after = sides.ruler_after;
 
   // Go straight on where nothing changes: the same ruler, or two pieces of one glass.
-  const bool same = result.medium_before == result.medium_after;
   const bool same_glass = sides.partner != nullptr &&
                           scene.objects[result.medium_before].material == scene.objects[result.medium_after].material;
-  if (!sides.opaque && (same || same_glass)) {
-    result.passes = true;
-    result.transmit = {true, direction, {1, 1, 1}, hit.through(), sides.after};
-    return result;
+  result.passes = !sides.opaque && (result.medium_before == result.medium_after || same_glass);
+  if (result.passes) {
+    result.transmit.set(direction, {1, 1, 1}, hit.through(), sides.after);
+    return;
   }
 
   // Describe the surface.
   const Crossing& surface = *sides.owner;
-  result.object = sides.opaque && !is_opaque(scene, surface.object) ? sides.after.ruler(scene) : surface.object;
+  result.transmit.exists = false;
+  result.object = sides.object;
   result.material = scene.objects[result.object].material;
   const Material& material = scene.materials[result.material];
   result.entering = surface.entering;
@@ -188,7 +129,6 @@ Interaction interact(const Scene& scene, const Hit& hit, Vec3 direction, const M
   result.R = fresnel_shares.R;
   result.T = fresnel_shares.T;
   add_branches(scene.paper, hit, direction, sides, shares_of(scene, sides, result.material), refraction, result);
-  return result;
 }
 
 double ior_in(const Scene& scene, const MediumSet& media, std::uint32_t band) {
@@ -212,7 +152,7 @@ Arrival advance(const Scene& scene, const Intersector& intersector, const Ray& s
     }
     arrival.distance += arrival.hit.t;
     arrival.transmittance *= transmittance(absorption, arrival.hit.t);
-    arrival.event = interact(scene, arrival.hit, ray.direction, arrival.media, band, ior_of_camera);
+    interact(scene, arrival.hit, ray.direction, arrival.media, band, ior_of_camera, arrival.event);
     if (!arrival.event.passes) return arrival;
 
     // Walk straight through what changes nothing.

@@ -15,6 +15,14 @@ struct Branch {
   Rgb weight;
   Departures departures;
   MediumSet media;
+
+  void set(Vec3 way, const Rgb& carried, const Departures& left, const MediumSet& inside) {
+    exists = true;
+    direction = way;
+    weight = carried;
+    departures = left;
+    media = inside;
+  }
 };
 
 struct Interaction {
@@ -42,6 +50,9 @@ struct Interaction {
 /// material's camera_ior instead of that of the band (paper.disperse_camera off).
 Interaction interact(const Scene& scene, const Hit& hit, Vec3 direction, const MediumSet& media, std::uint32_t band,
                      bool ior_of_camera = false);
+/// The same into a fresh or used value, which spares a copy.
+void interact(const Scene& scene, const Hit& hit, Vec3 direction, const MediumSet& media, std::uint32_t band,
+              bool ior_of_camera, Interaction& result);
 
 /// The index of the medium a set rules, for the radiance factor (n_camera / n_here)^2 of surfaces inside glass.
 double ior_in(const Scene& scene, const MediumSet& media, std::uint32_t band);
