@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from mpmath import atan, mpf, pi, quad, sqrt
+from mpmath import atan, cos, mpf, pi, quad, sqrt
 
 
 def disc_irradiance(radiance, radius, distance):
@@ -13,6 +13,27 @@ def disc_irradiance(radiance, radius, distance):
 def disc_irradiance_by_quadrature(radiance, radius, distance):
     h = mpf(distance)
     return quad(lambda r: radiance * 2 * pi * r * h * h / (r * r + h * h) ** 2, [0, radius])
+
+
+def disc_irradiance_aside(radiance, radius, distance, aside):
+    """The same ``aside`` from the axis (Howell, configuration B-13)."""
+    r, h, a = mpf(radius), mpf(distance), mpf(aside)
+    square = a * a + h * h
+    return pi * radiance / 2 * (1 - (square - r * r) / sqrt((square + r * r) ** 2 - 4 * r * r * a * a))
+
+
+def disc_irradiance_aside_by_quadrature(radiance, radius, distance, aside):
+    h, a = mpf(distance), mpf(aside)
+    return quad(
+        lambda r, t: radiance * r * h * h / (r * r - 2 * r * a * cos(t) + a * a + h * h) ** 2, [0, radius], [0, 2 * pi]
+    )
+
+
+def disc_irradiance_over_patch(radiance, radius, distance, half_edge):
+    """Mean over a small square about the axis."""
+    a = mpf(half_edge)
+    whole = quad(lambda x, z: disc_irradiance_aside(radiance, radius, distance, sqrt(x * x + z * z)), [0, a], [0, a])
+    return whole / (a * a)
 
 
 def rectangle_irradiance(radiance, half_u, half_v, distance):

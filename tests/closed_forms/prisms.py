@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from mpmath import acos, asin, degrees, diff, findroot, mpf, radians, sin, sqrt
+from mpmath import acos, asin, cos, degrees, diff, findroot, mpf, radians, sin, sqrt
 
 
 def deviation_deg(index, apex_deg, incidence_deg):
@@ -23,6 +23,24 @@ def least_deviation_by_search_deg(index, apex_deg):
     start = degrees(asin(index * sin(radians(mpf(apex_deg)) / 2))) + 1
     found = findroot(lambda incidence: diff(lambda x: deviation_deg(index, apex_deg, x), incidence), start)
     return deviation_deg(index, apex_deg, found)
+
+
+def screen_height(index, apex_deg, incidence_deg, screen):
+    """Where the middle ray of a beam through a prism of side 1 meets the screen x = ``screen``; the centroid is 0, 0.
+
+    The ray meets the middle of the left face at ``incidence_deg``, going upwards; it is followed as a line in x, y.
+    """
+    half = radians(mpf(apex_deg)) / 2
+    base, rise = sin(half), cos(half)
+    # The middle of the left face, and directions as angles from +x: the face's inward normal points down by half.
+    x, y = -base / 2, -rise / 3 + rise / 2
+    inside = -half + asin(sin(radians(mpf(incidence_deg))) / index)
+    # The right face runs from the apex (0, 2 rise / 3) down to (base, -rise / 3); its outward normal points up by half.
+    step = (rise * x + base * (y - 2 * rise / 3)) / -(rise * cos(inside) + base * sin(inside))
+    x, y = x + step * cos(inside), y + step * sin(inside)
+    # The angle from the normal, positive upwards; both faces turn the ray towards the base.
+    outside = half + asin(index * sin(inside - half))
+    return y + (screen - x) * sin(outside) / cos(outside)
 
 
 def rainbow_deg(index, bounces):

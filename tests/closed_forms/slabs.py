@@ -54,6 +54,12 @@ def weighted_pane(transmission, reflection=0):
     return mpf(transmission) ** 2 / (1 - mpf(reflection) ** 2)
 
 
+def turned_by_prism(transmission, reflection):
+    """A 45-90-45 prism: in, all of r + t at total reflection, out; each leg sends r back for another round trip."""
+    t, r = mpf(transmission), mpf(reflection)
+    return t * (r + t) * t / (1 - ((r + t) * r) ** 2)
+
+
 def sideways(index, incidence_deg, thickness):
     """How far a slab moves a ray sideways, at right angles to the ray."""
     outside = radians(mpf(incidence_deg))
@@ -65,9 +71,3 @@ def apparent_shift(index, incidence_deg, thickness):
     """How far the picture of a plane behind the slab moves along that plane."""
     outside = radians(mpf(incidence_deg))
     return thickness * (tan(outside) - tan(asin(sin(outside) / index)))
-
-
-def wedge_mean(per_m, slope, near, far):
-    """Mean of exp(-a slope x) for x from ``near`` to ``far``."""
-    rate = mpf(per_m) * slope
-    return (exp(-rate * near) - exp(-rate * far)) / (rate * (mpf(far) - near))

@@ -5,11 +5,12 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from mpmath import mp, mpf, workdps
+from mpmath import mp, mpf, radians, tan, workdps
 from ruamel.yaml import YAML
 
-from tests.closed_forms import area_lights, ball_lens, cards, prisms, rough, slabs
-from tests.closed_forms.truths import CONSTANTS, CROWN, DROP, OUTER, RINGS, SCENES
+from tests.closed_forms import area_lights, ball_lens, beer, cards, prisms, rough, slabs
+from tests.closed_forms.shadows import Penumbra
+from tests.closed_forms.truths import CONSTANTS, CROWN, DROP, EDGE, OUTER, RINGS, SCENES
 from vitrail.judge.references import read_scene_truth
 from vitrail.metrics.by_phenomenon import BY_PHENOMENON
 from vitrail.scene.load import load
@@ -114,6 +115,29 @@ def test_the_least_deviation_is_where_it_stands_still():
         assert_same(prisms.least_deviation_by_search_deg(mpf(index), 60), prisms.least_deviation_deg(mpf(index), 60))
 
 
+def test_a_ray_followed_to_the_screen_is_turned_by_the_deviation():
+    # Between two screens one metre apart the ray falls by the tangent of its angle.
+    for index in ("1.6", "1.696"):
+        near, far = (prisms.screen_height(mpf(index), 60, 55, mpf(x)) for x in (2, 3))
+        assert_same(near - far, tan(radians(prisms.deviation_deg(mpf(index), 60, 55) - 25)))
+
+
+def test_the_wedge_is_its_integral():
+    edges = (mpf("0.1"), mpf("0.9"))
+    assert_same(beer.wedge_mean_by_quadrature(4, mpf("0.5"), *edges), beer.wedge_mean(4, mpf("0.5"), *edges))
+
+
+def test_the_penumbra_is_nearly_that_of_similar_triangles():
+    # 0.8 of 0.2 m * 0.5 / 1.5; the cosines over the penumbra take off less than a hundredth.
+    assert EDGE.width() == pytest.approx(0.8 * 0.2 / 3, rel=0.01)
+    assert EDGE.crossing(0.5) == pytest.approx(0.0, abs=0.002 * 0.2)
+    assert EDGE.irradiance(-0.05) == 0
+    # Out of every shadow: the rectangle's form factor, here averaged over a patch a tenth of its height wide.
+    whole = float(area_lights.rectangle_irradiance(1, mpf("0.1"), mpf("0.1"), 2))
+    assert Penumbra(lamp=0.1, height=2.0, edge=0.5, half=1e-6).irradiance(1.0 / 3) < whole
+    assert Penumbra(lamp=0.1, height=2.0, edge=1e-9, half=1e-6).irradiance(1e-6) == pytest.approx(whole, rel=1e-6)
+
+
 def test_rainbows_are_where_everybody_sees_them():
     assert float(prisms.rainbow_deg(mpf("1.333"), 1)) == pytest.approx(42, abs=0.5)
     assert float(prisms.rainbow_deg(mpf("1.333"), 2)) == pytest.approx(51, abs=0.5)
@@ -121,6 +145,12 @@ def test_rainbows_are_where_everybody_sees_them():
 
 def test_form_factors_are_their_integrals():
     half, third, two = mpf("0.5"), mpf("0.3"), mpf(2)
+    aside = mpf("0.3")
+    assert_same(
+        area_lights.disc_irradiance_aside_by_quadrature(1, half, two, aside),
+        area_lights.disc_irradiance_aside(1, half, two, aside),
+        15,
+    )
     assert_same(area_lights.disc_irradiance_by_quadrature(1, half, two), area_lights.disc_irradiance(1, half, two))
     assert_same(
         area_lights.rectangle_irradiance_by_quadrature(1, half, third, two),

@@ -6,7 +6,8 @@ from collections.abc import Callable
 
 from mpmath import mpf, pi
 
-from tests.closed_forms import area_lights, ball_lens, cards, prisms, rough, slabs
+from tests.closed_forms import area_lights, ball_lens, beer, cards, prisms, rough, slabs
+from tests.closed_forms.shadows import Penumbra
 
 CROWN = mpf("1.5")
 DROP = mpf(2)
@@ -49,14 +50,39 @@ def _ball_flux() -> mpf:
     return FLOOR * ball_lens.flux_within(OUTER, CROWN, DROP)
 
 
-def _mirror(share: str) -> Computed:
-    return lambda: cards.half_and_half(share, 1, mpf("0.25"))
+def _spot(diffuse: str) -> Computed:
+    return lambda: cards.lamplit_mean(diffuse, 10, 2, mpf("0.4"))
 
 
-def _wedge_mean(per_m: int) -> Computed:
-    return lambda: slabs.wedge_mean(per_m, mpf("0.5"), mpf("0.1"), mpf("0.9"))
+def _disc(diffuse: str) -> Computed:
+    return lambda: mpf(diffuse) / pi * area_lights.disc_irradiance_over_patch(5, mpf("0.5"), 1, mpf("0.02"))
 
 
+def _ambient(diffuse: str, irradiance: int) -> Computed:
+    return lambda: mpf(diffuse) * irradiance / pi
+
+
+def _wedge(absorption: int) -> Computed:
+    return lambda: beer.wedge_mean(absorption, mpf("0.5"), mpf("0.1"), mpf("0.9"))
+
+
+def _mirrored(reflection: str) -> Computed:
+    return lambda: cards.half_and_half(reflection, 1, mpf("0.25"))
+
+
+def _on_screen(name: str) -> mpf:
+    """Along v of prism_screen's patch, whose centre is at y = -1; blue is its own band, the others share two."""
+    height = {band: prisms.screen_height(mpf(n), 60, 55, mpf("2.5")) + 1 for band, n in FLINT.items()}
+    shared = {"red": ("red", "yellow"), "green": ("yellow", "green"), "blue": ("blue",)}
+    if name.startswith("band_"):
+        return height[name.removeprefix("band_")]
+    return sum(height[band] for band in shared[name]) / len(shared[name])
+
+
+FLINT = {"red": "1.6", "yellow": "1.632", "green": "1.664", "blue": "1.696"}
+PLACES = (*(f"band_{band}" for band in FLINT), *CHANNELS)
+EDGE = Penumbra(lamp=0.1, height=2.0, edge=0.5, half=0.1)
+WALL = ("0.9", "0.6", "0.3")
 GREY = ("0.18", "0.5", "0.9")
 TINT = ("0.9", "0.5", "0.2")
 
@@ -74,17 +100,37 @@ SCENES: dict[tuple[str, str, str], Computed] = {
     **_coloured("slab_clear", "through", "mean_radiance", (lambda: slabs.weighted_pane(1),) * 3),
     **_coloured("tinted_pane_seen", "through", "transmittance", tuple(_pane(t) for t in TINT)),
     **_coloured("tinted_pane_projected", "projected", "transmittance", tuple(_pane(t) for t in TINT)),
-    **_coloured("mirror", "image", "mean_radiance", tuple(_mirror(r) for r in ("0.9", "0.6", "0.3"))),
+    **_coloured("grey_card_spot", "card", "mean_radiance", tuple(_spot(d) for d in GREY)),
+    **_coloured("grey_card_disc", "card", "mean_radiance", tuple(_disc(d) for d in GREY)),
+    **_coloured("ambient_card", "card", "mean_radiance", tuple(_ambient(d, 2) for d in GREY)),
+    **_coloured("ambient_card", "card", "indirect_radiance", tuple(_ambient(d, 1) for d in GREY)),
+    **_coloured("closed_room", "wall", "mean_radiance", (lambda: 1 / pi,) * 3),
+    **_coloured("closed_room", "wall", "indirect_radiance", (lambda: 1 / (2 * pi),) * 3),
+    **_coloured("beer_slab", "through", "absorption", tuple(lambda a=a: mpf(a) for a in ("0.5", "2", "8"))),
+    **_coloured("beer_wedge", "slope", "absorption_fit", tuple(lambda a=a: mpf(a) for a in (1, 2, 4))),
+    **_coloured("beer_wedge", "slope", "mean_radiance", tuple(_wedge(a) for a in (1, 2, 4))),
+    **_coloured("invisible_ball", "shadow", "transmittance", (lambda: mpf(1),) * 3),
+    **_coloured("mirror", "image", "mean_radiance", tuple(_mirrored(r) for r in WALL)),
     ("mirror", "image", "edge_place.u"): lambda: mpf(0),
-    **_coloured("reflecting_prism", "turned", "mean_radiance", (lambda: slabs.weighted_pane("0.9", "0.1"),) * 3),
-    **_coloured("beer_wedge", "slope", "mean_radiance", tuple(_wedge_mean(a) for a in (1, 2, 4))),
-    **_coloured("beer_wedge", "slope", "absorption_fit", tuple((lambda a=a: mpf(a)) for a in (1, 2, 4))),
-    ("penumbra", "edge", "penumbra_width"): lambda: (
-        mpf("0.8") * area_lights.straight_penumbra_width(mpf("0.1"), 2, mpf("0.5"))
+    **_coloured(
+        "mirror_caustic", "thrown", "caustic_flux", (lambda: FLOOR / pi * 3 * FLOOR * mpf("0.9") * mpf("0.24"),) * 3
     ),
-    ("penumbra", "edge", "shadow_edge"): lambda: mpf(0),
+    ("mirror_caustic", "thrown", "centroid.u"): lambda: mpf(0),
+    ("mirror_caustic", "thrown", "centroid.v"): lambda: mpf(0),
+    ("penumbra", "edge", "penumbra_width"): lambda: mpf(EDGE.width()),
+    ("penumbra", "edge", "shadow_edge"): lambda: mpf(EDGE.crossing(0.5)),
     ("penumbra", "edge", "shadow_depth"): lambda: mpf(0),
-    **_coloured("ambient_card", "card", "mean_radiance", tuple((lambda d=d: cards.sunlit(d, 2, 1)) for d in GREY)),
+    **{("prism_screen", "spectrum", f"place.{n}"): lambda n=n: _on_screen(n) for n in PLACES},
+    ("prism_screen", "spectrum", "spread"): lambda: _on_screen("blue") - _on_screen("red"),
+    ("prism_screen", "spectrum", "colour_order"): lambda: mpf(-1),
+    ("prism_screen", "spectrum", "peaks"): lambda: mpf(4),
+    **_coloured("reflecting_prism", "turned", "mean_radiance", (lambda: slabs.turned_by_prism("0.9", "0.1"),) * 3),
+    ("slab_shift", "edge", "edge_place.v"): lambda: slabs.apparent_shift(CROWN, 60, mpf("0.5")) - mpf("0.5"),
+    **{
+        ("white_furnace", name, f"furnace_deviation.{c}"): lambda: mpf(0)
+        for name in ("weights", "fresnel", "mirror", "card")
+        for c in CHANNELS
+    },
     **{("ball_lens", "caustic", f"annulus_mean.{k}"): _ring(k) for k in range(len(RINGS) - 1)},
     **_coloured("ball_lens", "caustic", "caustic_flux", (_ball_flux,) * 3),
     ("ball_lens", "caustic", "centroid.u"): lambda: mpf(0),
@@ -100,14 +146,8 @@ CONSTANTS: dict[str, Computed] = {
     "pane_with_paper_weights": lambda: slabs.weighted_pane("0.8", "0.1"),
     "slab_sideways_at_60": lambda: slabs.sideways(CROWN, 60, 1),
     "slab_apparent_shift_at_60": lambda: slabs.apparent_shift(CROWN, 60, 1),
-    **{
-        f"prism_60_at_55_{band}": lambda n=n: prisms.deviation_deg(mpf(n), 60, 55)
-        for band, n in (("red", "1.6"), ("yellow", "1.632"), ("green", "1.664"), ("blue", "1.696"))
-    },
-    **{
-        f"prism_60_least_{band}": lambda n=n: prisms.least_deviation_deg(mpf(n), 60)
-        for band, n in (("red", "1.6"), ("yellow", "1.632"), ("green", "1.664"), ("blue", "1.696"))
-    },
+    **{f"prism_60_at_55_{band}": lambda n=n: prisms.deviation_deg(mpf(n), 60, 55) for band, n in FLINT.items()},
+    **{f"prism_60_least_{band}": lambda n=n: prisms.least_deviation_deg(mpf(n), 60) for band, n in FLINT.items()},
     "rainbow_primary": lambda: prisms.rainbow_deg(mpf("1.333"), 1),
     "rainbow_secondary": lambda: prisms.rainbow_deg(mpf("1.333"), 2),
     "disc_lamp_on_axis": lambda: area_lights.disc_irradiance(1, mpf("0.5"), 2),

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from vitrail.images.display import Display, luminance, srgb
-from vitrail.images.false_colour import COLD, HOT, NEUTRAL, heat, signed_difference
+from vitrail.images.false_colour import COLD, HEAT, HOT, NEUTRAL, heat, signed_difference
 
 
 def test_known_points_of_the_srgb_curve():
@@ -57,5 +57,6 @@ def test_signed_difference_has_a_scale():
 def test_heat_grows_in_luminance():
     picture = heat(np.linspace(-1, 2, 50), low=0.0, high=1.0)
     assert (np.diff(luminance(picture)) >= -1e-12).all()
+    np.testing.assert_array_equal(picture[[0, -1]], HEAT[[0, -1]])
     with pytest.raises(ValueError, match="upwards"):
         heat(np.zeros((2, 2)), low=1.0, high=1.0)
