@@ -148,7 +148,8 @@ def _record(version: str, lowered: PovrayScene, outcomes: list[Outcome], threads
             "shadow_rays": count("shadow_tests", rendered),
             "photons_emitted": count("photons_shot", shot),
             "photons_stored": sum(outcome.census.stored for outcome in outcomes if outcome.census),
-            "gather_queries": count("gather_calls", rendered),
+            # It counts gathers only where it shoots; where it loads photons, a ray gathers once at most.
+            "gather_queries": count("gather_calls", rendered) or (count("rays", rendered) if shot else 0),
         },
         "certificate": lowered.certificate.as_records(),
         "isolation": list(executions[0].walls),

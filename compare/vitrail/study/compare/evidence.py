@@ -24,13 +24,15 @@ def certificate_records(certificate: Certificate) -> tuple[CertificateEntry, ...
 def engine_record(record: Mapping[str, Any]) -> EngineRun:
     """The page's view of a run record, and the record itself.
 
-    A rate is work over the CPU seconds of its phase. POV-Ray gathers while it traces camera rays and cannot tell the
-    two apart, so for both engines the gather rate is over camera and gather together.
+    A rate is work over the CPU seconds of its phase. Photons are counted when they are stored: POV-Ray also shoots
+    past the glass, which helps no picture. It gathers while it traces camera rays and cannot tell the two apart, so
+    for both engines the gather rate is over camera and gather together.
     """
     cpu, counters = record.get("cpu_s", {}), record.get("counters", {})
     photon_cpu_s = _sum(cpu, ("photon_pass", "photon_sort"))
     camera_cpu_s = _sum(cpu, ("camera", "gather"))
     emitted = counters.get("photons_emitted") or None
+    stored = counters.get("photons_stored") or None
     queries = counters.get("gather_queries") or None
     return EngineRun(
         engine=record["engine"],
@@ -39,8 +41,8 @@ def engine_record(record: Mapping[str, Any]) -> EngineRun:
         photon_cpu_s=photon_cpu_s if emitted else None,
         gather_cpu_s=camera_cpu_s if queries else None,
         photons_emitted=emitted,
-        photons_stored=counters.get("photons_stored") or None,
-        photons_per_cpu_s=_rate(emitted, photon_cpu_s),
+        photons_stored=stored,
+        photons_per_cpu_s=_rate(stored, photon_cpu_s),
         gathers_per_cpu_s=_rate(queries, camera_cpu_s),
         settings=dict(record.get("settings", {})),
         warnings=tuple(record.get("warnings", ())),
@@ -55,7 +57,7 @@ def speed_records(engines: Sequence[EngineRun]) -> tuple[Speed, ...]:
     if tracer is None or povray is None:
         return ()
     phases = (
-        ("photon pass", "photons_per_cpu_s", "photons per CPU second (emit, trace, store)"),
+        ("photon pass", "photons_per_cpu_s", "photons stored per CPU second (emit, trace, store, sort)"),
         ("gather", "gathers_per_cpu_s", "gathers per CPU second (camera rays and gathering)"),
     )
     found = []
