@@ -62,6 +62,7 @@ UNREADABLE = {
     "many values": (b"a: [" + b"1," * 60_000 + b"1]", "the file has more than 50000 values"),
     "too large": (b"#" * (4 * 1024 * 1024 + 1), "1:1: the file is larger than 4 MiB"),
     "long integer": (b"vitrail: " + b"9" * 5000, "1:10: 99999999999999999999... is too large for a number"),
+    "integer beyond the range": (b"vitrail: " + b"9" * 350, "1:10: 99999999999999999999... is too large for a number"),
     "half a pair": (b'title: "\\ud83d"', "1:8: half of a character pair is no text"),
 }
 

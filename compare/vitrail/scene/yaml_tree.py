@@ -6,7 +6,6 @@ Everything else (tags, several documents, expanding aliases beyond a limit) is r
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import Any
@@ -23,19 +22,13 @@ from ruamel.yaml.events import (
     SequenceStartEvent,
 )
 
+from vitrail.scene.yaml_scalar import TooLarge, plain_value
+
 MAX_BYTES = 4 * 1024 * 1024
 MAX_DEPTH = 32
 MAX_NODES = 50_000
-MAX_DIGITS = 400
 
 Path = tuple[str | int, ...]
-
-_INTEGER = re.compile(r"[-+]?[0-9]+|0o[0-7]+|0x[0-9a-fA-F]+")
-_FLOAT = re.compile(r"[-+]?(\.[0-9]+|[0-9]+(\.[0-9]*)?)([eE][-+]?[0-9]+)?")
-_INFINITE = re.compile(r"[-+]?\.(inf|Inf|INF)")
-_NOT_A_NUMBER = re.compile(r"\.(nan|NaN|NAN)")
-_WORDS = {"true": True, "True": True, "TRUE": True, "false": False, "False": False, "FALSE": False}
-_NULLS = ("", "~", "null", "Null", "NULL")
 
 
 class YamlProblem(Exception):
@@ -193,32 +186,13 @@ class _Composer:
             return ""
         if event.style is not None:
             return text
-        if text in _NULLS:
-            return None
-        if text in _WORDS:
-            return _WORDS[text]
-        if _INFINITE.fullmatch(text) or _NOT_A_NUMBER.fullmatch(text):
-            return float(text.replace(".", "", 1))
-        if _INTEGER.fullmatch(text) and len(text) <= MAX_DIGITS:
-            return _integer(text)
-        if _FLOAT.fullmatch(text) or _INTEGER.fullmatch(text):
-            return self._float(text, event)
-        return text
-
-    def _float(self, text: str, event: ScalarEvent) -> float:
-        value = float(text) if len(text) <= MAX_DIGITS else float("inf")
-        if value in (float("inf"), float("-inf")):
+        try:
+            return plain_value(text)
+        except TooLarge:
             shown = text if len(text) <= 24 else text[:20] + "..."
-            self.problems.append(
-                YamlProblem(*_place(event), f"{shown} is too large for a number", "the largest is 1.8e308")
-            )
+            what = f"{shown} is too large for a number"
+            self.problems.append(YamlProblem(*_place(event), what, "the largest is 1.8e308"))
             return 0.0
-        return value
-
-
-def _integer(text: str) -> int | float:
-    value = int(text, 0) if text[:2] in ("0x", "0o") else int(text, 10)
-    return value if abs(value) < 2**63 else float(value)
 
 
 def _place(event: Any) -> tuple[int, int]:
