@@ -160,6 +160,23 @@ TEST(Intersector, BlocksOnlyWhatLiesBetween) {
   EXPECT_FALSE(intersector.occluded({{0, 0, 4}, {0, 0, -1}}, outside, kInfinity));
 }
 
+TEST(Intersector, KnowsTheMediaAtAPoint) {
+  const Scene scene = crowded_scene();
+  const Intersector list(scene, Search::list), tree(scene, Search::embree);
+  TestNumbers numbers;
+  int inside = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Vec3 point = numbers.in_cube(i % 100 == 0 ? 1e4 : 5);
+    const MediumSet a = list.media_at(point), b = tree.media_at(point);
+    ASSERT_EQ(a.size(), b.size());
+    for (int k = 0; k < a.size(); ++k) ASSERT_EQ(a[k], b[k]);
+    inside += a.size() > 0;
+  }
+  EXPECT_GT(inside, 200);
+  EXPECT_EQ(list.media_at({0.25, -4.75, 0.5}).size(), 1);
+  EXPECT_EQ(list.media_at({0.25, -5.25, 0.5}).size(), 0);  // the floor is opaque
+}
+
 TEST(Intersector, AnswersForAnEmptyScene) {
   const Scene scene = SceneBuilder().scene;
   for (Search search : {Search::automatic, Search::list, Search::embree}) {

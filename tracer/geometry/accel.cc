@@ -26,13 +26,15 @@ struct Intersector::State {
   std::vector<Primitive> primitives;  // by object
   std::vector<std::uint32_t> list;    // objects that every ray asks: all in a small scene, else those without an end
   std::unique_ptr<EmbreeSearch> tree;
+  std::vector<std::uint32_t> listed_solids;  // of glass, to be asked one by one whether they hold a point
   Bounds bounds;
   std::uint64_t primitive_count = 0;
 
   void choose_search(Search search);
   Nearest nearest(const Ray& ray, const Departures& departures) const;
   void leave_mesh(const Ray& ray, const Departure& left, Nearest& found) const;
-  Crossing crossing(const Ray& ray, const Nearest::Candidate& candidate, Vec3* point) const;
+  /// Describe a candidate as a crossing of the hit; the point on its surface.
+  Vec3 add_crossing(const Ray& ray, const Nearest::Candidate& candidate, Hit& hit) const;
 };
 
 namespace {
@@ -76,6 +78,12 @@ void Intersector::State::choose_search(Search search) {
         items.push_back({object, triangle});
     }
   }
+  // A mesh is held as triangles, which do not tell inside from outside: ask it as a whole.
+  for (std::uint32_t object = 0; object < primitives.size(); ++object) {
+    const bool listed = std::find(list.begin(), list.end(), object) != list.end();
+    const bool is_mesh = std::holds_alternative<Mesh>(primitives[object]);
+    if (scene.material_of(object).transmits() && (listed || is_mesh)) listed_solids.push_back(object);
+  }
   if (!items.empty()) tree = std::make_unique<EmbreeSearch>(primitives, std::move(items));
 }
 
@@ -108,20 +116,20 @@ void Intersector::State::leave_mesh(const Ray& ray, const Departure& left, Neare
     found.offer(left.object, now);
 }
 
-Crossing Intersector::State::crossing(const Ray& ray, const Nearest::Candidate& candidate, Vec3* point) const {
+Vec3 Intersector::State::add_crossing(const Ray& ray, const Nearest::Candidate& candidate, Hit& hit) const {
   const Primitive& primitive = primitives[candidate.object];
   const SurfacePoint at = surface(primitive, ray.at(candidate.t), candidate.face);
-  if (point != nullptr) *point = at.point;
-  Crossing crossing{candidate.t, candidate.object, candidate.face, candidate.entering, false, at.s,
-                    at.q,        at.normal,        at.normal};
+  hit.crossings.push_back(
+      {candidate.t, candidate.object, candidate.face, candidate.entering, false, at.s, at.q, at.normal, at.normal});
   if (const auto* mesh = std::get_if<Mesh>(&primitive)) {
+    Crossing& crossing = hit.crossings[hit.crossings.size() - 1];
     crossing.counted = true;
     crossing.shading_normal = mesh->shading_normal(at.point, candidate.face);
   }
-  return crossing;
+  return at.point;
 }
 
-Intersector::Intersector(const Scene& scene, Search search) : state_(new State{scene, {}, {}, {}, {}, 0}) {
+Intersector::Intersector(const Scene& scene, Search search) : state_(new State{scene, {}, {}, {}, {}, {}, 0}) {
   for (const Object& object : scene.objects) {
     state_->primitives.push_back(make_primitive(object.shape));
     const auto* mesh = std::get_if<Mesh>(&state_->primitives.back());
@@ -146,7 +154,7 @@ bool Intersector::closest(const Ray& ray, const Departures& departures, Hit& hit
   const Nearest::Candidate& first = found.first();
   hit.t = first.t;
   hit.crossings.clear();
-  hit.crossings.push_back(state_->crossing(ray, first, &hit.point));
+  hit.point = state_->add_crossing(ray, first, hit);
   if (found.all().size() == 1) return true;
 
   // Add the faces that lie on this one within rounding: the gap along the ray, seen along the normal.
@@ -156,8 +164,7 @@ bool Intersector::closest(const Ray& ray, const Departures& departures, Hit& hit
   };
   for (int i = 1; i < found.all().size(); ++i) {
     const Nearest::Candidate& other = found.all()[i];
-    if ((other.t - first.t) * slant <= error(first) + error(other))
-      hit.crossings.push_back(state_->crossing(ray, other, nullptr));
+    if ((other.t - first.t) * slant <= error(first) + error(other)) state_->add_crossing(ray, other, hit);
   }
   std::sort(hit.crossings.begin(), hit.crossings.end(),
             [](const Crossing& a, const Crossing& b) { return a.object < b.object; });
@@ -177,9 +184,17 @@ bool Intersector::occluded(const Ray& ray, const Departures& departures, double 
 
 MediumSet Intersector::media_at(Vec3 point) const {
   MediumSet media;
-  for (std::uint32_t object = 0; object < state_->primitives.size(); ++object)
-    if (state_->scene.material_of(object).transmits() && contains(state_->primitives[object], point))
-      media.enter(object);
+  for (const std::uint32_t object : state_->listed_solids)
+    if (contains(state_->primitives[object], point)) media.enter(object);
+  if (state_->tree == nullptr) return media;
+
+  thread_local std::vector<TreeItem> items;
+  items.clear();
+  state_->tree->around(point, items);
+  for (const TreeItem& item : items)
+    if (item.triangle == TreeItem::kWhole && state_->scene.material_of(item.object).transmits() &&
+        contains(state_->primitives[item.object], point))
+      media.enter(item.object);
   return media;
 }
 

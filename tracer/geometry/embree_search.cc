@@ -25,9 +25,10 @@ struct RayQuery {
   const Ray& ray;
   const Departures& departures;
   double skipped = 0;
-  Nearest* nearest = nullptr;  // closest hit, or ...
-  double t_max = 0;            // ... any hit before this,
-  bool found = false;          // which is noted here
+  Nearest* nearest = nullptr;               // closest hit, or ...
+  double t_max = 0;                         // ... any hit before this,
+  bool found = false;                       // which is noted here, or ...
+  std::vector<TreeItem>* around = nullptr;  // every item whose box is met
 };
 
 const Departure* departure_of(const Departures& departures, std::uint32_t object) {
@@ -90,6 +91,11 @@ void intersect_item(const RTCIntersectFunctionNArguments* arguments) {
   if (arguments->N != 1 || arguments->valid[0] == 0) return;
   const auto& state = *static_cast<const EmbreeSearch::State*>(arguments->geometryUserPtr);
   const RayQuery& query = embree::Query<RayQuery>::of(arguments->context);
+
+  if (query.around != nullptr) {
+    query.around->push_back(state.items[arguments->primID]);
+    return;
+  }
 
   // Note the hit, and tell Embree only how far it still has to look.
   ShapeHit hit;
@@ -175,7 +181,7 @@ EmbreeSearch::~EmbreeSearch() {
 
 void EmbreeSearch::closest(const Ray& ray, const Departures& departures, Nearest& nearest) const {
   const TreeRay tree_ray = state_->tree_ray(ray);
-  RayQuery payload{ray, departures, tree_ray.skipped, &nearest, 0, false};
+  RayQuery payload{ray, departures, tree_ray.skipped, &nearest, 0, false, nullptr};
   embree::Query<RayQuery> query(payload);
   RTCRayHit hit;
   embree::set_ray(hit.ray, tree_ray.origin, tree_ray.direction, state_->horizon(nearest.horizon(), tree_ray.skipped));
@@ -183,9 +189,23 @@ void EmbreeSearch::closest(const Ray& ray, const Departures& departures, Nearest
   embree::intersect(state_->scene, query.context, hit);
 }
 
+void EmbreeSearch::around(Vec3 point, std::vector<TreeItem>& items) const {
+  // A ray that ends where it starts meets the boxes around it; they are wide enough for its rounding.
+  const Ray ray{point, {0, 0, 1}};
+  const Departures none;
+  const TreeRay tree_ray = state_->tree_ray(ray);
+  if (tree_ray.skipped > 0) return;
+  RayQuery payload{ray, none, 0, nullptr, 0, false, &items};
+  embree::Query<RayQuery> query(payload);
+  RTCRayHit hit;
+  embree::set_ray(hit.ray, tree_ray.origin, tree_ray.direction, static_cast<float>(kMargin));
+  hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  embree::intersect(state_->scene, query.context, hit);
+}
+
 bool EmbreeSearch::occluded(const Ray& ray, const Departures& departures, double t_max) const {
   const TreeRay tree_ray = state_->tree_ray(ray);
-  RayQuery payload{ray, departures, tree_ray.skipped, nullptr, t_max, false};
+  RayQuery payload{ray, departures, tree_ray.skipped, nullptr, t_max, false, nullptr};
   embree::Query<RayQuery> query(payload);
   RTCRay shadow;
   embree::set_ray(shadow, tree_ray.origin, tree_ray.direction, state_->horizon(t_max, tree_ray.skipped));

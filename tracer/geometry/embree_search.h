@@ -25,6 +25,8 @@ class EmbreeSearch {
 
   /// Offer every hit that could be the nearest.
   void closest(const Ray& ray, const Departures& departures, Nearest& nearest) const;
+  /// The items whose boxes hold a point, in no order.
+  void around(Vec3 point, std::vector<TreeItem>& items) const;
   /// Whether anything is hit at 0 < t < t_max.
   bool occluded(const Ray& ray, const Departures& departures, double t_max) const;
 
