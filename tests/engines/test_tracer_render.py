@@ -26,9 +26,9 @@ PHOTONS = 20_000
 
 
 def small(path: Path) -> Scene:
-    """A scene of the project in a picture of 48 pixels a side at most."""
+    """A scene of the project in a picture of 32 pixels a side at most."""
     scene = check_file(path).scene_or_raise().scene
-    shrink = 48 / max(scene.image.width, scene.image.height)
+    shrink = 32 / max(scene.image.width, scene.image.height)
     size = {"width": max(1, round(scene.image.width * shrink)), "height": max(1, round(scene.image.height * shrink))}
     return scene.model_copy(update={"image": Image(**size)})
 
