@@ -1,4 +1,4 @@
-"""What one POV-Ray run shows of the scene: which colour channel, and at which brightness.
+"""What one POV-Ray run shows of the scene: which colour channel, which band of light, and at which brightness.
 
 Photons keep 8 bits per channel relative to their brightest one, lose everything at a flux of 32, and are truncated
 unless their mantissa has 8 bits [P 2.4]. So every run multiplies all light by one factor, undone in the image, and a
@@ -17,12 +17,22 @@ Triplet = tuple[float, float, float]
 class Exposure:
     """``channel`` None shows all three; ``light_factor`` multiplies every radiance of the run's image.
 
-    A run of one channel stands for all of ``stands_for``, which the scene treats alike.
+    A run of one channel stands for all of ``stands_for``, which the scene treats alike. A run of one ``band`` counts
+    by the band's ``weight``.
     """
 
     channel: int | None = None
     light_factor: float = 1.0
     stands_for: tuple[int, ...] = (0, 1, 2)
+    band: int | None = None
+    weight: Triplet = (1.0, 1.0, 1.0)
+
+    @property
+    def name(self) -> str:
+        """What the run shows, for file names; empty where it shows everything."""
+        channels = [("red", "green", "blue")[index] for index in self.stands_for] if self.channel is not None else []
+        bands = [f"band{self.band + 1}"] if self.band is not None else []
+        return "_".join([*bands, *channels])
 
     def share(self, colour: Sequence[float]) -> Triplet:
         """A dimensionless colour (albedo, transmission) as this run sees it."""
@@ -38,5 +48,7 @@ class Exposure:
     @property
     def gain(self) -> Triplet:
         """What the run's image is multiplied by, per channel, before the runs of one half are added."""
-        red, green, blue = (1 / self.light_factor if index in self.stands_for else 0.0 for index in range(3))
+        red, green, blue = (
+            self.weight[index] / self.light_factor if index in self.stands_for else 0.0 for index in range(3)
+        )
         return (red, green, blue)

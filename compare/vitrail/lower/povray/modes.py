@@ -1,26 +1,34 @@
-"""Reference modes: all three channels in one run, or one run a channel where POV-Ray's photons would lose colour."""
+"""Reference modes: everything in one run, one run a channel where photons would lose colour, or one run a band."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from vitrail.lower.povray.exposure import Exposure, Triplet
-from vitrail.lower.povray.photons import PhotonPass
+from vitrail.optics.bands import ALL_LIGHT, Band, band_model
 from vitrail.plan.budget import Settings
+from vitrail.plan.plan import Plan
 from vitrail.scene.model import Scene
+from vitrail.scene.phenomenon import Phenomenon
 
 ALL = (Exposure(),)
 SAME_CHANNELS = 1e-12
 """Channels closer than this, relative, have the same photons."""
+MOST_SLICES = 16
+"""Bands up to which ``auto`` renders one run a band; above, POV-Ray's own dispersion stands in."""
 
 
 @dataclass(frozen=True)
 class Mode:
-    """``name`` is native, channels or slices; ``exposures`` are the runs of one half; ``reason`` is for the reader."""
+    """``name`` is native, channels or slices; ``exposures`` are the runs of one half; ``reason`` is for the reader.
+
+    ``bands`` is one band of all light where the plan has no dispersion.
+    """
 
     name: str
     exposures: tuple[Exposure, ...]
+    bands: tuple[Band, ...]
     reason: str
 
     @property
@@ -28,19 +36,48 @@ class Mode:
         """Whether one run shows all three channels, in colour."""
         return any(exposure.channel is None for exposure in self.exposures)
 
+    @property
+    def is_sliced(self) -> bool:
+        return any(exposure.band is not None for exposure in self.exposures)
 
-def mode_of(scene: Scene, settings: Settings, photons: PhotonPass | None) -> Mode:
-    """The asked mode; ``auto`` takes channels wherever one photon colour or one pool s cannot serve all three."""
-    coloured = _coloured_glass(scene)
+
+def mode_of(scene: Scene, plan: Plan, settings: Settings) -> Mode:
+    """The asked mode; ``auto`` takes channels wherever one photon colour or one pool s cannot serve all three.
+
+    With dispersion ``auto`` and ``channels`` mean one run a band, unless there are very many.
+    """
+    bands = band_model(scene.transport.bands).bands if plan.requires(Phenomenon.DISPERSION) else (ALL_LIGHT,)
     if settings.reference_mode == "native":
-        return Mode("native", ALL, "asked for")
+        return Mode("native", ALL, bands, "asked for")
+    exposures, reason = _by_channel(scene, plan, settings)
+    is_sliced = len(bands) > 1 and (settings.reference_mode == "slices" or len(bands) <= MOST_SLICES)
+    if is_sliced:
+        return Mode("slices", _sliced(exposures, bands), bands, f"one run a band has no error of the index; {reason}")
+    name = "native" if exposures == ALL else "channels"
+    if len(bands) > 1:
+        reason += f"; {len(bands)} bands are too many for a run each"
+    return Mode(name, exposures, bands, reason)
+
+
+def _by_channel(scene: Scene, plan: Plan, settings: Settings) -> tuple[tuple[Exposure, ...], str]:
+    """The exposures that the channels need, and why."""
     if settings.reference_mode == "channels":
-        return Mode("channels", _apart(scene), "asked for")
-    if coloured:
-        return Mode("channels", _apart(scene), f"material {coloured} treats the channels of light differently")
-    if photons is not None and (lamp := _coloured_light(scene)):
-        return Mode("channels", _apart(scene), f"light {lamp} has channels that photons would round differently")
-    return Mode("native", ALL, "every channel of light is treated alike")
+        return _apart(scene), "asked for"
+    if coloured := _coloured_glass(scene):
+        return _apart(scene), f"material {coloured} treats the channels of light differently"
+    if plan.requires(Phenomenon.CAUSTIC) and (lamp := _coloured_light(scene)):
+        return _apart(scene), f"light {lamp} has channels that photons would round differently"
+    return ALL, "every channel of light is treated alike"
+
+
+def _sliced(exposures: tuple[Exposure, ...], bands: tuple[Band, ...]) -> tuple[Exposure, ...]:
+    """Each exposure in each band, where the band has a share in it at all."""
+    return tuple(
+        replace(exposure, band=index, weight=band.weight)
+        for index, band in enumerate(bands)
+        for exposure in exposures
+        if any(band.weight[channel] != 0 for channel in exposure.stands_for)
+    )
 
 
 def _apart(scene: Scene) -> tuple[Exposure, ...]:

@@ -5,9 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from vitrail.lower.povray.exposure import Exposure, Triplet
+from vitrail.lower.povray.indices import Indices
 from vitrail.lower.povray.materials import texture_sdl
 from vitrail.lower.povray.normalise import Normalisation
-from vitrail.lower.povray.sdl import block, number, rgb
+from vitrail.lower.povray.sdl import block, rgb
 from vitrail.lower.povray.shapes import primitive
 from vitrail.lower.povray.surface import Surface
 from vitrail.plan.plan import Plan
@@ -25,28 +26,27 @@ class ObjectText:
     plan: Plan
     units: Normalisation
     has_photons: bool
+    indices: Indices
 
-    def sdl(self, item: Object, placed: Placed, exposure: Exposure) -> str:
+    def sdl(self, item: Object, placed: Placed, exposure: Exposure, is_shooting: bool) -> str:
         """The object in one run; ``placed`` is its shape, where a gap has been opened already."""
         material = self.scene.material_of(item)
         shape = primitive(placed, self.units)
         texture = texture_sdl(Surface(material, placed, exposure, self.units, self._has_ambient))
-        return block(
-            shape.keyword, [*shape.parts, texture, self._interior(material, exposure), self._photons(material)]
-        )
+        interior = self._interior(material, exposure, is_shooting)
+        return block(shape.keyword, [*shape.parts, texture, interior, self._photons(material)])
 
     @property
     def _has_ambient(self) -> bool:
         return isinstance(self.scene.transport.indirect, Ambient) and self.plan.requires(Phenomenon.INDIRECT_LIGHT)
 
-    def _interior(self, material: Material, exposure: Exposure) -> str:
+    def _interior(self, material: Material, exposure: Exposure, is_shooting: bool) -> str:
         """The index where light enters or Fresnel asks for it, and the absorption where the plan wants it."""
         if not material.is_transmissive and not (material.fresnel and material.is_specular):
             return ""
-        assert material.ior is not None
         absorbing = material.is_transmissive and self.plan.requires(Phenomenon.ABSORPTION)
         fade = _fade(exposure.share(self._absorption_per_unit(material))) if absorbing else ""
-        return block("interior", [f"ior {number(material.ior)}", fade])
+        return block("interior", [self.indices.sdl(material, exposure, is_shooting), fade])
 
     def _absorption_per_unit(self, material: Material) -> Triplet:
         red, green, blue = absorption_per_m(material)

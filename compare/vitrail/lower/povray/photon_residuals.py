@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from vitrail.lower.povray.certificate import RELATIVE, Entry
+from vitrail.lower.povray.lights import Source
 from vitrail.lower.povray.modes import Mode
 from vitrail.lower.povray.normalise import Normalisation
 from vitrail.lower.povray.photons import PhotonPass, has_exact_flux
-from vitrail.plan.plan import Plan
 from vitrail.scene.model import Scene
 from vitrail.scene.phenomenon import Phenomenon
 
@@ -19,13 +19,13 @@ GRAZING_DEG = 84.3
 
 
 def photon_entries(
-    scene: Scene, plan: Plan, mode: Mode, units: Normalisation, photons: PhotonPass | None
+    scene: Scene, mode: Mode, units: Normalisation, lights: Sequence[Source], photons: PhotonPass | None
 ) -> Iterator[Entry]:
     """Storage, kernel and incidence; nothing without photons."""
     if photons is None:
         return
     caustic = Phenomenon.CAUSTIC
-    loss = 0.0 if has_exact_flux(scene, photons) else ONE_STEP
+    loss = 0.0 if has_exact_flux(scene, lights, photons) else ONE_STEP
     reason = "the light factor makes the main path's flux exact" if loss == 0 else "fluxes vary, up to one step is lost"
     yield Entry(caustic, "photons", "flux in double precision", "8 bits, truncated", loss, RELATIVE, reason)
     if mode.shows_all_channels and (ratio := _channel_ratio(scene)) > 1:

@@ -74,9 +74,15 @@ class PhotonPass:
 
 
 def photon_pass(
-    scene: Scene, plan: Plan, settings: Settings, lights: Sequence[Source], units: Normalisation, refusals: Refusals
+    scene: Scene,
+    plan: Plan,
+    settings: Settings,
+    lights: Sequence[Source],
+    bands: int,
+    units: Normalisation,
+    refusals: Refusals,
 ) -> PhotonPass | None:
-    """The photon pass of a scene, or None when the plan has no caustic."""
+    """The photon pass of a scene, or None when the plan has no caustic. All bands of light share the photons."""
     if not plan.requires(Phenomenon.CAUSTIC):
         return None
     if settings.photons == 0:
@@ -84,9 +90,9 @@ def photon_pass(
         raise NotTranslatable([refusals.at(what, "ask for some photons, for example `photons=100000`", "lights")])
     balls = _targets(scene, units, refusals)
     area = sum(_aimed_area(source, ball) for source in lights for ball in balls)
-    # Share the photons of the settings between the two halves.
-    both = 1 + 1 / SECOND_FLUX
-    spacing = 2.0 ** round(math.log2(math.sqrt(area * both / settings.photons)))
+    # Share the photons of the settings between the two halves and all bands.
+    runs = (1 + 1 / SECOND_FLUX) * bands
+    spacing = 2.0 ** round(math.log2(math.sqrt(area * runs / settings.photons)))
     return PhotonPass(
         spacing={"a": spacing, "b": spacing * math.sqrt(SECOND_FLUX)},
         gather_radius=units.length(settings.gather_radius_m),
@@ -113,9 +119,9 @@ def _targets(scene: Scene, units: Normalisation, refusals: Refusals) -> tuple[Ba
 
 
 def _aimed_area(source: Source, ball: Ball) -> float:
-    """Area at the target over which photons are spread, units squared."""
+    """Area at the target over which photons are spread, units squared; an aperture lets through only its own."""
     if source.direction is not None:
-        return math.pi * ball.radius**2
+        return min(math.pi * ball.radius**2, source.aperture_area)
     distance = length(subtract(ball.centre, source.position))
     if distance <= ball.radius:
         return 4 * math.pi * ball.radius**2
@@ -131,14 +137,14 @@ def photon_flux(source: Source, ball: Ball, spacing: float, strength: float) -> 
     return strength * (spacing / max(length(subtract(ball.centre, source.position)), ball.radius)) ** 2
 
 
-def has_exact_flux(scene: Scene, photons: PhotonPass) -> bool:
+def has_exact_flux(scene: Scene, lights: Sequence[Source], photons: PhotonPass) -> bool:
     """Whether every photon of a run has the flux of the main path, or none at all."""
     materials = [scene.material_of(item) for item in scene.objects if scene.material_of(item).is_specular]
-    if len(scene.lights) > 1 or any(_varies(material) for material in materials):
+    if len(lights) > 1 or any(_varies(material) for material in materials):
         return False
     lossless = all(_is_lossless(material) for material in materials)
     if len(photons.targets) > 1:
-        return lossless and scene.lights[0].directional is not None
+        return lossless and lights[0].direction is not None
     return lossless or not (materials[0].is_transmissive and max(materials[0].reflection) > 0)
 
 

@@ -9,6 +9,7 @@ from vitrail.lower.povray.certificate import RELATIVE, Certificate, Entry
 from vitrail.lower.povray.depth import LIMIT, TraceDepth
 from vitrail.lower.povray.exposure import Exposure, Triplet
 from vitrail.lower.povray.gaps import GAP, Shrunk
+from vitrail.lower.povray.indices import Indices
 from vitrail.lower.povray.lights import FADE_SHARE, Source
 from vitrail.lower.povray.modes import Mode
 from vitrail.lower.povray.normalise import Normalisation
@@ -38,6 +39,7 @@ class Translation:
     photons: PhotonPass | None
     depth: TraceDepth
     shrunk: tuple[Shrunk, ...]
+    indices: Indices
 
 
 def certificate_of(translation: Translation) -> Certificate:
@@ -50,8 +52,10 @@ def certificate_of(translation: Translation) -> Certificate:
             *_falloff(translation),
             *_depth(translation),
             *_pools(translation),
+            *_grids(translation),
+            *_dispersion(translation),
             *photon_entries(
-                translation.scene, translation.plan, translation.mode, translation.units, translation.photons
+                translation.scene, translation.mode, translation.units, translation.lights, translation.photons
             ),
         )
     )
@@ -172,4 +176,40 @@ def _coloured_pool(index: int, material: Material, pool: Triplet) -> Iterator[En
             normal * (1 - least) / (1 - normal),
             RELATIVE,
             "conserve_energy takes the mirrored colour, s R, for R; given at normal incidence, two faces count twice",
+        )
+
+
+def _grids(translation: Translation) -> Iterator[Entry]:
+    """Lights with a surface or a solid angle, made of small ones."""
+    for index, light in enumerate(translation.scene.lights):
+        count = sum(source.light == index for source in translation.lights)
+        if count > 1:
+            yield Entry(
+                Phenomenon.SHADOW,
+                f"L{index + 1}",
+                f"a {light.kind} light",
+                f"{count} small ones in each half image, at random in cells of equal size",
+                1 / (2 * count),
+                RELATIVE,
+                "penumbras have steps of one small light; the light as a whole is unbiased",
+            )
+
+
+def _dispersion(translation: Translation) -> Iterator[Entry]:
+    """Slices have no error; the native law has that of its fit, and its own colours."""
+    mode, scene = translation.mode, translation.scene
+    if len(mode.bands) < 2:
+        return
+    for number, material in enumerate(scene.materials.values(), 1):
+        law = translation.indices.native_law(material)
+        if not material.is_dispersive or not material.is_transmissive:
+            continue
+        yield Entry(
+            Phenomenon.DISPERSION,
+            f"M{number}",
+            f"n in {len(mode.bands)} bands",
+            "one run a band" if law is None else "n = ior D^((555 - nm) / 350)",
+            0.0 if law is None else law.largest_residual,
+            "index",
+            mode.reason if law is None else "POV-Ray's law has two numbers; least squares over the bands",
         )

@@ -6,11 +6,12 @@ added after the matrix, so patterns are always in world coordinates.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import assert_never
 
 from vitrail.lower.povray.normalise import Normalisation
-from vitrail.lower.povray.sdl import matrix, number, vector
+from vitrail.lower.povray.sdl import block, matrix, number, vector
 from vitrail.scene.model import Box, Cone, Cylinder, Disc, Lens, Mesh, Plane, Prism, Rectangle, Sphere
 from vitrail.scene.placement import Frame, Placed
 from vitrail.scene.vector import Vec, add, dot, scale, unit
@@ -47,8 +48,12 @@ def primitive(placed: Placed, normalisation: Normalisation) -> Primitive:
             first = f"{vector(units.point(shape.from_))}, {number(units.length(shape.radius_from))}"
             last = f"{vector(units.point(shape.to))}, {number(units.length(shape.radius_to))}"
             return Primitive("cone", (f"{first}, {last}",))
-        case Prism() | Lens() | Mesh():
-            raise NotImplementedError(type(shape).__name__)
+        case Prism():
+            return _prism(shape, placed.frame, units)
+        case Lens():
+            return _lens(shape, placed.frame, units)
+        case Mesh():
+            raise NotImplementedError("mesh")
         case _:
             assert_never(shape)
 
@@ -60,6 +65,49 @@ def _rectangle(shape: Rectangle, units: Normalisation) -> Primitive:
     return Primitive("polygon", ("5, " + ", ".join(vector(corner) for corner in corners),))
 
 
+def aperture(shape: Rectangle | Disc, units: Normalisation) -> str:
+    """The outline of a collimated lamp, as an object for light to pass through."""
+    made = primitive(Placed(shape, Frame()), units)
+    return block(made.keyword, made.parts)
+
+
+def _prism(shape: Prism, frame: Frame, units: Normalisation) -> Primitive:
+    """POV-Ray sweeps a profile of (x, z) along y; ours lies in x, y and is swept along z."""
+    half = units.length(shape.height) / 2
+    corners = [(units.length(x), units.length(y)) for x, y in (*shape.corners, shape.corners[0])]
+    outline = ", ".join(f"<{number(x)}, {number(y)}>" for x, y in corners)
+    head = f"linear_sweep linear_spline {number(-half)}, {number(half)}, {len(corners)}, {outline}"
+    # Exchange y and z, then turn and move.
+    x, y, z = _axes(frame)
+    return Primitive("prism", (head, matrix((x, z, y), units.point(frame.origin))))
+
+
+def _lens(shape: Lens, frame: Frame, units: Normalisation) -> Primitive:
+    """A cylinder about z, cut by a ball for each curved face."""
+    thickness, rim = units.length(shape.thickness), units.length(shape.diameter) / 2
+    faces, ends = [], []
+    for radius_m, side in ((shape.radius_front, -1.0), (shape.radius_back, 1.0)):
+        vertex, radius = side * thickness / 2, units.length(radius_m)
+        if radius > 0:
+            faces.append(f"sphere {{ <0, 0, {number(vertex - side * radius)}>, {number(radius)} }}")
+            ends.append(vertex + side * rim)
+        elif radius < 0:
+            reach = min(rim, -radius)
+            sag = -radius - math.sqrt(max(0.0, radius * radius - reach * reach))
+            faces.append(f"sphere {{ <0, 0, {number(vertex - side * radius)}>, {number(-radius)} inverse }}")
+            ends.append(vertex + side * sag)
+        else:
+            ends.append(vertex)
+    body = f"cylinder {{ <0, 0, {number(ends[0])}>, <0, 0, {number(ends[1])}>, {number(rim)} }}"
+    return Primitive("intersection", (body, *faces, _frame(frame, units)))
+
+
+def _axes(frame: Frame) -> tuple[Vec, Vec, Vec]:
+    """Where the frame's x, y and z point in the world."""
+    x, y, z = zip(*frame.rotation, strict=True)
+    return x, y, z
+
+
 def _corners(shape: Box, units: Normalisation) -> str:
     return f"{vector(units.vector(shape.min))}, {vector(units.vector(shape.max))}"
 
@@ -67,7 +115,7 @@ def _corners(shape: Box, units: Normalisation) -> str:
 def _frame(frame: Frame, units: Normalisation) -> str:
     """The frame as a matrix; nothing where the scene is neither turned nor moved."""
     origin = units.point(frame.origin)
-    axes: tuple[Vec, Vec, Vec] = tuple(zip(*frame.rotation, strict=True))  # type: ignore[assignment]
+    axes = _axes(frame)
     if axes == ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)) and origin == (0.0, 0.0, 0.0):
         return ""
     return matrix(axes, origin)

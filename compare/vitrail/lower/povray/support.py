@@ -6,7 +6,7 @@ from vitrail.lower.povray.refusal import NotTranslatable, Refusals
 from vitrail.plan.budget import Settings
 from vitrail.plan.plan import Plan
 from vitrail.scene.diagnostic import Diagnostic
-from vitrail.scene.model import Lens, Mesh, Prism, Scene
+from vitrail.scene.model import Mesh, Scene
 from vitrail.scene.phenomenon import Phenomenon
 
 
@@ -14,16 +14,10 @@ def refuse_unsupported(scene: Scene, plan: Plan, settings: Settings, refusals: R
     """Raises NotTranslatable with one diagnostic a place."""
     found: list[Diagnostic] = []
     for index, item in enumerate(scene.objects):
-        if isinstance(item.shape, Prism | Lens | Mesh):
+        if isinstance(item.shape, Mesh):
             what = f"a {item.shape_key} has no POV-Ray counterpart here yet"
             found.append(refusals.at(what, "use another shape", "objects", index, item.shape_key))
     for name, material in scene.materials.items():
-        if material.glass is not None:
-            what = "catalogue glass has no POV-Ray counterpart here yet"
-            found.append(refusals.at(what, "write `ior:`", "materials", name, "glass"))
-        if material.is_dispersive and plan.requires(Phenomenon.DISPERSION):
-            what = "dispersion has no POV-Ray counterpart here yet"
-            found.append(refusals.at(what, "drop `dispersion`", "materials", name))
         if material.is_specular and material.roughness != 0 and plan.requires(Phenomenon.ROUGHNESS):
             what = "roughness has no POV-Ray counterpart here yet"
             found.append(refusals.at(what, "drop `roughness`", "materials", name, "roughness"))
