@@ -18,8 +18,14 @@ from vitrail.study.compare.request import Defect
 LIGHT = re.compile(r"(light_source \{ <[^>]*> )rgb (<[^>]*>|[-+.\deE]+)")
 FADE = re.compile(r"fade_distance 1 fade_power 1001 fade_color rgb (<[^>]*>|[-+.\deE]+)")
 
-OVERFLOW = 64.0
-"""Brings photons whose flux was kept at or below 16 to 32 and more, where POV-Ray drops them without a word [P 2.4]."""
+SPACING = re.compile(r"spacing ([-+.\deE]+)")
+PARALLEL = re.compile(r"rgb <([-+.\deE]+), [^>]*> parallel")
+
+BRIGHTER = 256.0
+"""More light with less gain leaves the picture as it is; more than this could overflow the half floats of the image."""
+
+TOO_MUCH_FLUX = 64.0
+"""POV-Ray drops photons of flux 32 and more without a word [P 2.4]."""
 
 
 def on_text(change: Callable[[str], str]) -> Callable[[PovrayScene], PovrayScene]:
@@ -66,10 +72,22 @@ def naive_fade(text: str) -> str:
 
 
 def _overflow(scene: PovrayScene) -> PovrayScene:
-    """More light with less gain: the picture stays, but the photons no longer fit their number format."""
-    brighter = on_text(brighter_lights(OVERFLOW))(scene)
-    runs = tuple(replace(run, gain=tuple(each / OVERFLOW for each in run.gain)) for run in brighter.runs)  # type: ignore[arg-type]
+    """Fewer photons of more light: the picture keeps its brightness, but photons no longer fit their number format."""
+    brighter = on_text(lambda text: sparse_photons(brighter_lights(BRIGHTER)(text)))(scene)
+    runs = tuple(replace(run, gain=tuple(each / BRIGHTER for each in run.gain)) for run in brighter.runs)  # type: ignore[arg-type]
     return replace(brighter, runs=runs)
+
+
+def sparse_photons(text: str) -> str:
+    """Widen the spacing until a photon of the brightest parallel light carries too much."""
+    found = SPACING.search(text)
+    if found is None:
+        return text
+    spacing = float(found[1])
+    colours = [float(each) for each in PARALLEL.findall(text)]
+    # The flux of a lamp's photon depends on its distance too; a factor of 32 in spacing outdoes any sensible choice.
+    wider = math.sqrt(TOO_MUCH_FLUX / (max(colours) * spacing**2)) if colours else 32.0
+    return SPACING.sub(f"spacing {number(spacing * max(wider, 1.0))}", text)
 
 
 def _numbers(text: str) -> list[float]:

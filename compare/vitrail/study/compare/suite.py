@@ -53,6 +53,9 @@ def compare(scenes: Sequence[Loaded], request: Request, watch: Watch = lambda *s
         todo = [(name, loaded, request) for name, loaded in zip(names, scenes, strict=True)]
         for _ in range(1 + request.rounds):
             for name, run in _each(todo, request.jobs, watch):
+                # An engine that was interrupted brings its unfinished image home; the rest must not start then.
+                if run.record.status is Status.INTERRUPTED:
+                    raise KeyboardInterrupt
                 runs[name] = run
                 finish()
             todo = _undecided(finish(), dict(zip(names, scenes, strict=True)), request)

@@ -1,0 +1,62 @@
+"""A known mistake in the translation turns its phenomenon red and names POV-Ray where a formula is known."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.end_to_end.conftest import ROOT, Compare
+from vitrail.judge.comparison import Verdict
+from vitrail.judge.records import Results
+from vitrail.scene.phenomenon import Phenomenon
+from vitrail.study.compare.defects import DEFECTS
+
+CALIBRATION = ROOT / "scenes" / "calibration"
+
+
+def red(results: Results) -> set[Phenomenon]:
+    """The phenomena that deviate."""
+    return {
+        entry.phenomenon
+        for scene in results.scenes
+        for entry in scene.observations
+        if entry.verdict is Verdict.DEVIATES
+    }
+
+
+@pytest.mark.parametrize(
+    ("defect", "scene", "phenomenon"),
+    [
+        ("missing_pi", "grey_card_directional", Phenomenon.DIFFUSION),
+        ("naive_fade", "beer_slab", Phenomenon.ABSORPTION),
+        ("photon_overflow", "ball_lens", Phenomenon.CAUSTIC),
+    ],
+)
+def test_the_right_phenomenon_turns_red(compared: Compare, defect: str, scene: str, phenomenon: Phenomenon) -> None:
+    path = CALIBRATION / f"{scene}.yaml"
+    results = compared(path, defect=DEFECTS[defect])
+    assert red(results) == {phenomenon}
+    assert results.exit_code == 1
+    observation = next(o for o in results.scenes[0].observations if o.verdict is Verdict.DEVIATES)
+    if any(entry.pair.reference == "truth" for entry in observation.comparisons):
+        assert observation.attribution is not None and observation.attribution.engine == "povray"
+
+
+@pytest.mark.parametrize("scene", ["grey_card_directional", "beer_slab"])
+def test_without_the_defect_the_scene_is_not_red(compared: Compare, scene: str) -> None:
+    assert red(compared(CALIBRATION / f"{scene}.yaml")) == set()
+
+
+def test_a_lost_caustic_is_red_while_the_whole_image_still_looks_alike(compared: Compare) -> None:
+    """Structural similarity above 0.95 for a picture whose caustic is gone: why there are metrics for phenomena."""
+    path = Path(__file__).parent / "lost_caustic.yaml"
+    results = compared(path, defect=DEFECTS["photon_overflow"])
+    (scene,) = results.scenes
+    ssim = next(metric.value for metric in scene.global_metrics if metric.metric == "ssim")
+    assert ssim > 0.95
+    assert red(results) == {Phenomenon.CAUSTIC}
+    assert results.exit_code == 1
+    flux = next(e for e in scene.observations[0].comparisons if e.metric == "flux_ratio.red")
+    # The tracer has all of the caustic and POV-Ray next to nothing.
+    assert flux.value > 10
