@@ -62,6 +62,11 @@ def test_depth_inside_each_shape(item: Object, inside: Any, depth: float, outsid
     assert contains(item, inside) and not contains(item, outside)
 
 
+def test_a_line_that_enters_and_leaves_a_profile_is_outside_before_it() -> None:
+    bar = solid(prism={"profile": [(0, 0), (2, 0), (2, 1), (0, 1)], "height": 9})
+    assert depth_in(bar, np.array([(-1, 0.5, 0)]))[0] == -1
+
+
 def test_flat_shapes_have_no_inside() -> None:
     assert not contains(solid(disc={"center": (0, 0, 0), "normal": (0, 1, 0), "radius": 1}), (0, 0, 0))
 
@@ -112,6 +117,8 @@ def test_boxes_that_only_edge_against_edge_axes_separate() -> None:
 
 def test_touching_is_not_overlapping() -> None:
     assert not overlap(ball(0), ball(2))
+    # 0.1 + 0.1 exceeds 0.3 - 0.1 by rounding alone.
+    assert not overlap(ball(0.1, 0.1), ball(0.3, 0.1))
     assert not overlap(solid(box=UNIT_BOX), solid(box=UNIT_BOX, translate=(2, 0, 0)))
     assert not overlap(solid(box=UNIT_BOX), solid(cylinder={"from": (0, 1, 0), "to": (0, 3, 0), "radius": 0.5}))
 

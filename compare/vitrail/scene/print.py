@@ -41,7 +41,7 @@ def _written(part: Part) -> list[tuple[str, Any]]:
     pairs = []
     for name, info in type(part).model_fields.items():
         value = getattr(part, name)
-        if info.is_required() or value != info.default:
+        if value != info.default:  # A key that must be given has no default, which equals nothing.
             pairs.append((info.alias or name, value))
     return pairs
 
