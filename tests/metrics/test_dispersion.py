@@ -64,6 +64,8 @@ def test_reversed_colours_turn_the_sign():
 def test_banding_is_counted():
     assert value_of(colour_order(spectrum(), None, CONTEXT), "peaks") == 4
     assert value_of(colour_order(spectrum(sigma=0.2), None, CONTEXT), "peaks") == 1
+    # A spot at the very edge of the patch is a spot too.
+    assert value_of(colour_order(spectrum(places=(-1.0, -0.1, 0.1, 0.3)), None, CONTEXT), "peaks") == 4
     assert value_of(colour_order(spectrum(sigma=0.2), spectrum(), CONTEXT), "peak_difference") == -3
 
 

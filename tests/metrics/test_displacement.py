@@ -51,6 +51,12 @@ def test_exposure_and_haze_are_not_seen():
             assert m.value == pytest.approx(0.0, abs=1e-9)
 
 
+@pytest.mark.parametrize("gain", [0.05, 20.0])
+def test_a_dimmed_picture_is_registered_as_well(gain):
+    found = displacement(checker(du=0.37 * CELL, gain=gain), checker(), CONTEXT)
+    assert value_of(found, "displacement.u") / CELL == pytest.approx(0.37, abs=0.01)
+
+
 def test_stripes_have_one_direction_only():
     stripes = patch_of(lambda u, v: (np.floor(u / 0.25) % 2) + 0 * v)
     assert [m.metric for m in displacement(stripes, stripes, CONTEXT)] == ["displacement.u"]

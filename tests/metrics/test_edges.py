@@ -70,6 +70,8 @@ def test_a_linear_penumbra():
     assert value_of(found, "penumbra_width") == pytest.approx(0.32, rel=1e-3)
     assert value_of(found, "shadow_edge") == pytest.approx(0.1, abs=1e-4)
     assert value_of(found, "shadow_depth") == pytest.approx(0.0, abs=1e-12)
+    grey = penumbra(ramp(0.4, dark=1.0, lit=5.0), None, CONTEXT)
+    assert value_of(grey, "shadow_depth") == pytest.approx(0.2, rel=1e-12)
 
 
 def test_a_falling_edge_is_an_edge_too():

@@ -86,6 +86,9 @@ def test_delta_e_is_zero_for_equals_and_grows_with_tint():
     assert colour_difference(grey, grey, CONTEXT)[0].value == 0
     assert colour_difference(flat(0.5, 0.49, 0.5), grey, CONTEXT)[0].value > 0.5
     assert colour_difference(grey, None, CONTEXT) == []
+    # White is the full radiance: four times the light under four times the white is the same colour.
+    bright = colour_difference(flat(2.0, 1.96, 2.0), flat(2.0, 2.0, 2.0), Context(full_radiance=(4.0, 4.0, 4.0)))
+    assert bright[0].value == pytest.approx(colour_difference(flat(0.5, 0.49, 0.5), grey, CONTEXT)[0].value, rel=1e-9)
 
 
 def test_a_known_absorption_per_metre():

@@ -104,6 +104,14 @@ def test_the_law_of_the_noise_is_learnt_and_redrawn():
     np.testing.assert_array_equal(model.draw((1, 0)), model.draw((1, 0)))
 
 
+def test_the_law_follows_a_caustic_narrower_than_its_window():
+    # Counted photons again, in a spot of 4 cells: the window of averages is as wide, and must not flatten the peak.
+    base = patch_of(spot(sigma=0.125), n_u=64, n_v=64)
+    model = learn_noise(noisy(base, 0.1 * np.sqrt(base.values.mean(axis=-1, keepdims=True)), 3), 0.0)
+    peak = base.values.max(axis=-1) > 0.5 * base.values.max()
+    assert np.mean(model.deviation[peak] / (0.1 * np.sqrt(base.values[peak]))) == pytest.approx(1.0, abs=0.1)
+
+
 def test_correlated_noise_is_redrawn_correlated():
     draw = np.random.default_rng(9)
     disc = np.hypot(*np.mgrid[-3:4, -3:4]) <= 3

@@ -146,6 +146,9 @@ def test_relative_mse_and_l1_of_a_known_factor():
     flat = np.full((8, 8, 3), 0.5)
     # (0.05)^2 / (0.25 + 0.01)
     assert relative_mse(flat * 1.1, flat, PLAIN).value == pytest.approx(0.0025 / 0.26, rel=1e-12)
+    # Light and exposure scaled together change nothing, the epsilon included.
+    dim = relative_mse(flat * 1.1 / 8, flat / 8, Display(exposure_stops=3.0))
+    assert dim.value == pytest.approx(0.0025 / 0.26, rel=1e-12)
     assert relative_l1(flat * 1.1, flat, PLAIN).value == pytest.approx(0.1, rel=1e-12)
     with pytest.raises(MetricError, match="black"):
         relative_l1(flat, flat * 0, PLAIN)
@@ -157,6 +160,10 @@ def test_lab_of_known_colours():
     np.testing.assert_allclose(found[0], [100, 0, 0], atol=1e-9)
     assert found[1][0] == pytest.approx(49.496, abs=1e-3)
     np.testing.assert_allclose(found[2], [53.24, 80.09, 67.20], atol=0.02)
+    # Below (6 / 29)^3 lightness is 903.3 Y, and the two parts of the curve meet there.
+    assert lab(np.full(3, 0.004))[0] == pytest.approx(24389 / 27 * 0.004, rel=1e-12)
+    low, high = lab(np.full((2, 3), (6 / 29) ** 3) * np.array([[1 - 1e-9], [1 + 1e-9]]))[:, 0]
+    assert high == pytest.approx(low, abs=1e-6)
 
 
 @pytest.mark.parametrize(
