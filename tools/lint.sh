@@ -6,7 +6,7 @@ cd "$(dirname "$0")/.."
 fix=${1:-}
 status=0
 
-mapfile -t cpp_files < <(find tracer tests -name '*.cc' -o -name '*.cpp' -o -name '*.h' | sort)
+mapfile -t cpp_files < <(find tracer tests benchmarks -name '*.cc' -o -name '*.cpp' -o -name '*.h' | sort)
 
 # Format first, because the linters report lines.
 if [ "$fix" = --fix ]; then
