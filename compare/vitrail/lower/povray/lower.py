@@ -20,6 +20,7 @@ from vitrail.lower.povray.indices import Indices
 from vitrail.lower.povray.light_factor import light_factor
 from vitrail.lower.povray.lights import sources
 from vitrail.lower.povray.modes import Mode, mode_of
+from vitrail.lower.povray.nesting import needs_media, nesting_of
 from vitrail.lower.povray.normalise import Normalisation, normalise
 from vitrail.lower.povray.objects import ObjectText
 from vitrail.lower.povray.photons import PhotonPass, photon_pass
@@ -29,6 +30,7 @@ from vitrail.lower.povray.scene_text import SceneText
 from vitrail.lower.povray.support import refuse_unsupported
 from vitrail.plan.budget import Quality, Settings
 from vitrail.plan.plan import Plan
+from vitrail.plan.reduced import reduced
 from vitrail.scene.load import Loaded
 from vitrail.scene.model import Scene
 from vitrail.scene.print import scene_hash
@@ -82,7 +84,8 @@ class PovrayScene:
 
 def lower_povray(scene: Scene, plan: Plan, settings: Settings, loaded: Loaded | None = None) -> PovrayScene:
     """The runs and the certificate. Raises NotTranslatable with the scene's lines (taken from ``loaded``)."""
-    refusals = Refusals(loaded)
+    refusals, identity = Refusals(loaded), scene_hash(scene)
+    scene = reduced(scene, plan)
     refuse_unsupported(scene, plan, settings, refusals)
     units = normalise(scene, refusals)
     mode = mode_of(scene, plan, settings)
@@ -94,12 +97,13 @@ def lower_povray(scene: Scene, plan: Plan, settings: Settings, loaded: Loaded | 
     }
     photons = photon_pass(scene, plan, settings, lights["a"], len(mode.bands), units, refusals)
     depth, placement = trace_depth(plan), with_gaps(scene, units)
-    objects = ObjectText(scene, plan, units, photons is not None, indices)
-    text = SceneText(scene, plan, units, lights, photons, depth, placement, objects)
-    translation = Translation(scene, plan, mode, units, lights["a"], photons, depth, placement.shrunk, indices)
+    nesting = nesting_of(scene, units)
+    objects = ObjectText(scene, plan, units, photons is not None, indices, needs_media(scene, plan, nesting))
+    text = SceneText(scene, plan, units, lights, photons, depth, placement, nesting, objects)
+    translation = Translation(scene, plan, mode, units, lights["a"], photons, depth, placement.shrunk, indices, nesting)
     return PovrayScene(
         title=scene.title,
-        scene_hash=scene_hash(scene),
+        scene_hash=identity,
         width=scene.image.width,
         height=scene.image.height,
         runs=tuple(_runs(text, mode, settings)),
