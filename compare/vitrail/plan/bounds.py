@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import product
 from typing import assert_never
 
@@ -78,6 +79,7 @@ def together(boxes: Iterable[Bounds]) -> Bounds:
     return around(point for box in boxes for point in (box.low, box.high))
 
 
+@lru_cache(maxsize=4096)
 def bounds_of(item: Object) -> Bounds:
     """The room an object takes in the world; a plane and a mesh (not read here) count as infinite."""
     placed = place(item)

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import assert_never
 
 from vitrail.scene.model import (
@@ -71,6 +72,7 @@ def frame_of_object(item: Object) -> Frame:
     return Frame(_vec(item.translate), _rotation(item.rotate_deg))
 
 
+@lru_cache(maxsize=4096)
 def place(item: Object) -> Placed:
     """The object's shape in the world.
 
