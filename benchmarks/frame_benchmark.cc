@@ -1,7 +1,7 @@
-// How fast the tracer is, piece by piece, on one thread: hits, photons, the map, gathering, and a whole small frame.
+// How fast the tracer is from a ray to a frame, on one thread: hits in any order, and a whole small picture.
 //
-// Rates count what a user waits for: rays, photons emitted, photons sorted, queries answered, pixels. The scene of the
-// light side is the lowered ball lens named by VITRAIL_BENCHMARK_SCENE; tools/bench.sh emits it.
+// Rates count what a user waits for: rays and pixels. The scene of the picture is the lowered ball lens named by
+// VITRAIL_BENCHMARK_SCENE; tools/bench.sh emits it.
 #include <benchmark/benchmark.h>
 
 #include <cstdlib>
@@ -9,7 +9,6 @@
 
 #include "base/random.h"
 #include "geometry/accel.h"
-#include "photon/pass.h"
 #include "render/render.h"
 #include "scene/read.h"
 
@@ -64,56 +63,6 @@ BENCHMARK(closest_hit)
     ->Args({32, 0})
     ->Args({32, 1})
     ->Args({1000, 1});
-
-// Emit, trace and store, then sort: the photon pass of the ball lens.
-void photon_pass(benchmark::State& state) {
-  Scene scene = ball_lens();
-  scene.settings.photons = static_cast<std::uint64_t>(state.range(0));
-  const Intersector intersector(scene);
-  double trace_s = 0, sort_s = 0;
-  std::uint64_t emitted = 0, stored = 0;
-  for (auto _ : state) {
-    SilentMonitor monitor;
-    const PhotonMaps maps = make_photon_maps(scene, intersector, 1, monitor);
-    trace_s += maps.statistics.trace_cpu_s;
-    sort_s += maps.statistics.sort_cpu_s;
-    emitted += maps.statistics.emitted;
-    stored += maps.statistics.stored;
-  }
-  state.SetItemsProcessed(static_cast<std::int64_t>(emitted));
-  state.counters["traced_per_cpu_s"] = static_cast<double>(emitted) / trace_s;
-  state.counters["sorted_per_cpu_s"] = static_cast<double>(stored) / sort_s;
-}
-BENCHMARK(photon_pass)->Arg(1'000'000)->Unit(benchmark::kMillisecond);
-
-// Ask for the light on the floor, in the order of scan lines as the renderer does.
-void gather(benchmark::State& state) {
-  Scene scene = ball_lens();
-  scene.settings.photons = 1'000'000;
-  const Intersector intersector(scene);
-  SilentMonitor monitor;
-  const PhotonMaps maps = make_photon_maps(scene, intersector, 1, monitor);
-
-  // Find the floor under each pixel of a square as wide as the shadow of the ball.
-  const Bounds bounds = intersector.bounds();
-  const Vec3 middle = (bounds.min + bounds.max) * 0.5;
-  const double half = (bounds.max.x - bounds.min.x) / 2;
-  std::vector<GatherQuery> queries;
-  for (int j = 0; j < 128; ++j) {
-    for (int i = 0; i < 128; ++i) {
-      const Vec3 above{middle.x + half * (i / 64.0 - 1), bounds.min.y - half * 1e-3, middle.z + half * (j / 64.0 - 1)};
-      Hit hit;
-      if (intersector.closest({above, {0, -1, 0}}, {}, hit)) queries.push_back({hit.point, {0, 1, 0}});
-    }
-  }
-  if (queries.empty()) state.SkipWithError("no floor under the ball");
-
-  for (auto _ : state) {
-    for (const GatherQuery& query : queries) benchmark::DoNotOptimize(maps.half[0]->irradiance(query));
-  }
-  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(queries.size()));
-}
-BENCHMARK(gather)->Unit(benchmark::kMillisecond);
 
 // A whole small picture of the ball lens, photons included.
 void frame(benchmark::State& state) {
