@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/parallel.h"
 #include "build_scene.h"
 #include "geometry/accel.h"
 
@@ -158,6 +159,26 @@ TEST(Intersector, BlocksOnlyWhatLiesBetween) {
   Departures outside;
   outside.push_back({0, 0, false});
   EXPECT_FALSE(intersector.occluded({{0, 0, 4}, {0, 0, -1}}, outside, kInfinity));
+}
+
+TEST(Intersector, MayBeAskedByManyThreadsAtOnce) {
+  const Scene scene = crowded_scene();
+  const Intersector intersector(scene, Search::embree);
+  TestNumbers numbers;
+  std::vector<Ray> rays;
+  for (int i = 0; i < 4000; ++i) rays.push_back({numbers.in_cube(6), numbers.direction()});
+  const auto distances = [&](unsigned threads) {
+    std::vector<double> found(rays.size());
+    parallel_blocks(40, threads, [&](std::uint64_t block, unsigned) {
+      for (std::size_t i = block * 100; i < block * 100 + 100; ++i) {
+        Hit hit;
+        found[i] = intersector.closest(rays[i], {}, hit) ? hit.t : -1;
+        found[i] += intersector.media_at(rays[i].origin).size();
+      }
+    });
+    return found;
+  };
+  EXPECT_EQ(distances(1), distances(7));
 }
 
 TEST(Intersector, KnowsTheMediaAtAPoint) {
