@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from enum import StrEnum
 from pathlib import Path
 
 import typer
@@ -13,6 +14,18 @@ from vitrail.commands.output import print_json
 from vitrail.commands.settings_options import QUALITY, SETTINGS
 
 
+class Against(StrEnum):
+    """POV-Ray, the tracer's own stored image, or both; closed forms always."""
+
+    POVRAY = "povray"
+    STORED = "stored"
+    BOTH = "both"
+
+    @property
+    def sides(self) -> tuple[str, ...]:
+        return ("povray", "stored") if self is Against.BOTH else (self.value,)
+
+
 def compare(
     scenes: list[Path] = typer.Argument(..., metavar="SCENE...", help="Scene files, or folders of them."),
     out: Path = typer.Option(..., "--out", help="The folder for report, results and images."),
@@ -20,6 +33,7 @@ def compare(
     settings: list[str] = SETTINGS,
     threads: int = typer.Option(0, "--threads", min=0, help="Threads of an engine; 0 takes every core."),
     jobs: int = typer.Option(1, "--jobs", min=1, help="Scenes worked on at a time."),
+    against: Against = typer.Option(Against.POVRAY, "--against", help="What the tracer is held against."),
     rounds: int = typer.Option(
         1, "--rounds", min=0, help="How often to buy up to 16 times the samples where in doubt."
     ),
@@ -42,6 +56,7 @@ def compare(
             threads=threads,
             jobs=jobs,
             rounds=rounds,
+            against=against.sides,
             references=references,
             defect=defect_named(inject_defect),
             command=("vitrail", *sys.argv[1:]),

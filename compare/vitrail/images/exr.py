@@ -10,11 +10,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Literal
 
 import numpy as np
 import OpenImageIO as oiio
 
 RESERVED = ("half_a", "half_b", "variance")
+HALF_MAX = 65504.0
 
 
 class ImageError(Exception):
@@ -81,15 +83,21 @@ def write_image(
     variance: np.ndarray | None = None,
     layers: Mapping[str, np.ndarray] | None = None,
     metadata: Mapping[str, str | int | float] | None = None,
+    pixel_type: Literal["float", "half"] = "float",
 ) -> None:
-    """Write float32 OpenEXR, one part, losslessly compressed. Raises ImageError when it cannot."""
+    """Write OpenEXR, one part, losslessly compressed. Raises ImageError when it cannot.
+
+    ``half`` takes half the room and rounds to 11 bits; radiance above 65504 does not fit into it.
+    """
     named = {"": radiance, "half_a": half_a, "half_b": half_b, "variance": variance, **(layers or {})}
     present = {name: array for name, array in named.items() if array is not None}
     height, width = radiance.shape[:2]
     for name, array in present.items():
         if array.shape != (height, width, 3):
             raise ImageError(f"{path}: layer {name or 'radiance'} is {array.shape}, not {(height, width, 3)}")
-    spec = oiio.ImageSpec(width, height, 3 * len(present), oiio.FLOAT)
+    if pixel_type == "half" and max(float(np.abs(array).max()) for array in present.values()) > HALF_MAX:
+        raise ImageError(f"{path}: radiance above {HALF_MAX:g} does not fit half floats; write float")
+    spec = oiio.ImageSpec(width, height, 3 * len(present), oiio.HALF if pixel_type == "half" else oiio.FLOAT)
     spec.channelnames = tuple(f"{name}.{c}" if name else c for name in present for c in "RGB")
     spec.attribute("compression", "zip")
     for key, value in (metadata or {}).items():

@@ -40,6 +40,16 @@ class Observed:
     unmeasured: tuple[str, ...]
 
 
+def merged(first: Observed, second: Observed) -> Observed:
+    """The numbers of two looks at one observation; the patch and the profiles are those of the first."""
+    return replace(
+        first,
+        measured=first.measured + second.measured,
+        truths=first.truths + second.truths,
+        unmeasured=tuple(dict.fromkeys(first.unmeasured + second.unmeasured)),
+    )
+
+
 class NothingToMeasure(Exception):
     """A patch is outside the frame or empty; the message names the observation and the remedy."""
 

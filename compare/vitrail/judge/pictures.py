@@ -20,6 +20,7 @@ def write_pictures(
 ) -> tuple[tuple[ImageFiles, ...], dict[str, str]]:
     """Write the pictures of one scene into ``place``; returns the files of each side and those of the differences.
 
+    Differences are those of the first two sides.
     Paths are relative to the folder above ``place``, where ``results.json`` is.
     """
     display = Display(exposure_stops)
@@ -29,9 +30,9 @@ def write_pictures(
         png = place / f"{side}.png"
         write_png(png, display.apply(image.radiance))
         sides.append(ImageFiles(side=side, exr=_relative(files[side], root), png=_relative(png, root)))
-    if len(images) != 2:
+    if len(images) < 2:
         return tuple(sides), {}
-    candidate, reference = (image.radiance for image in images.values())
+    candidate, reference = [image.radiance for image in images.values()][:2]
     error = flip_map(candidate / display.white, reference / display.white, FlipSettings.around(display))
     write_image(place / "error.exr", np.repeat(error[..., None], 3, axis=-1))
     write_png(place / "error.png", heat(error, low=0.0, high=1.0))

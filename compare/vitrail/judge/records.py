@@ -15,7 +15,7 @@ from typing import Any, Literal
 
 from pydantic import Field
 
-from vitrail.judge.comparison import ObservationResult, Record, Verdict
+from vitrail.judge.comparison import ObservationResult, Pair, Record, Verdict
 from vitrail.scene.phenomenon import Phenomenon
 
 RESULTS_VERSION: Literal[1] = 1
@@ -33,13 +33,19 @@ class Status(StrEnum):
 
 
 class GlobalMetric(Record):
-    """A whole-image number, shown beside the verdicts and never one itself."""
+    """A whole-image number, shown beside the verdicts; it has one itself only against a stored image of our own.
 
+    ``floor`` is what noise alone would give; ``tolerance`` and ``verdict`` are about the distance from there.
+    """
+
+    pair: Pair | None = None
     metric: str
     value: float
     unit: str
     ideal: float
     floor: float | None = None
+    tolerance: float | None = None
+    verdict: Verdict | None = None
     settings: dict[str, Any] = {}
     parts: dict[str, Any] = {}
     caveats: tuple[str, ...] = ()

@@ -54,6 +54,7 @@ class Thresholds:
     suite_false_alarm_rate: float
     metrics: Mapping[str, Rule]
     phenomena: Mapping[Phenomenon, Mapping[str, Rule]]
+    stored_image: Mapping[str, Rule]
 
     def rule(self, phenomenon: Phenomenon, metric: str) -> Rule:
         """The rule for a metric; a name with a dot is found by its family. Raises ThresholdError if there is none."""
@@ -81,7 +82,8 @@ def read_thresholds(path: Path) -> Thresholds:
         }
         for name, rules in found.get("phenomena", {}).items()
     }
-    return Thresholds(rate, metrics, phenomena)
+    stored = {name: _rule(path, f"stored_image.{name}", each) for name, each in found.get("stored_image", {}).items()}
+    return Thresholds(rate, metrics, phenomena, stored)
 
 
 def _rule(path: Path, name: str, entry: Mapping[str, Any]) -> Rule:

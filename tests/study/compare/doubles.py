@@ -59,6 +59,7 @@ class FormulaEngine:
         noise = 0.0 if is_quiet else self.noise / math.sqrt(samples)
         rng = np.random.default_rng(sum(map(ord, self.name)))
         halves = [self.radiance * (1 + noise * rng.standard_normal((32, 32, 3))) for _ in "ab"]
+        out_dir.mkdir(parents=True, exist_ok=True)
         path = out_dir / f"{self.name}.exr"
         metadata = {"vitrail:scene_hash": scene_hash, "vitrail:settings": json.dumps({"seed": 1})}
         write_image(
@@ -69,7 +70,11 @@ class FormulaEngine:
             "engine": self.name,
             "version": "1",
             "cpu_s": {"total": 2.0, "photon_pass": 0.5, "photon_sort": 0.5, "camera": 1.0, "gather": 1.0},
-            "counters": {"photons_emitted": 1000 if self.name == "povray" else 5000, "gather_queries": 100},
+            "counters": {
+                "photons_emitted": 9000,
+                "photons_stored": 1000 if self.name == "povray" else 5000,
+                "gather_queries": 100,
+            },
             "settings": {"seed": 1},
         }
         return Rendering(path, record)

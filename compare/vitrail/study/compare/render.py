@@ -13,6 +13,7 @@ from vitrail.engines.base import Progress, Rendering
 from vitrail.engines.cache import Cache, content_key, named_files
 from vitrail.lower.canonical_json import canonical_json
 from vitrail.lower.povray import PovrayScene, lower_povray
+from vitrail.lower.povray.certificate import Certificate
 from vitrail.lower.tracer import lower_tracer
 from vitrail.plan.budget import Settings
 from vitrail.plan.plan import Plan
@@ -26,26 +27,33 @@ class Lowered:
     """One scene in the two forms that the engines take, with the request's defect already in."""
 
     tracer: dict[str, Any]
-    povray: PovrayScene
+    povray: PovrayScene | None
+
+    @property
+    def certificate(self) -> Certificate:
+        """What the translation changes; nothing where there is none."""
+        return self.povray.certificate if self.povray is not None else Certificate(())
 
 
 def lower_both(loaded: Loaded, plan: Plan, settings: Settings, request: Request) -> Lowered:
-    """Raises NotTranslatable with the scene's lines."""
+    """The tracer's form, and POV-Ray's if the request wants it. Raises NotTranslatable with the scene's lines."""
     defect = request.defect
     tracer = lower_tracer(defect.misread_by_tracer(loaded.scene), plan, settings, loaded.path.parent.resolve())
-    povray = lower_povray(defect.misread_by_povray(loaded.scene), plan, settings, loaded)
     # A misread scene is still meant to be this one: both images carry its hash.
     tracer["scene_hash"] = scene_hash(loaded.scene)
+    if "povray" not in request.against:
+        return Lowered(defect.tracer(tracer), None)
+    povray = lower_povray(defect.misread_by_povray(loaded.scene), plan, settings, loaded)
     povray = replace(povray, scene_hash=scene_hash(loaded.scene))
     return Lowered(defect.tracer(tracer), defect.povray(povray))
 
 
 def render_both(lowered: Lowered, place: Path, request: Request, progress: Progress) -> dict[str, Rendering]:
-    """Both images in ``place``: tracer.exr and povray.exr with their run records. Raises EngineFailure."""
-    return {
-        "tracer": _render("tracer", lowered.tracer, tracer_key, place, request, progress),
-        "povray": _render("povray", lowered.povray, povray_key, place, request, progress),
-    }
+    """The images in ``place``: tracer.exr and povray.exr with their run records. Raises EngineFailure."""
+    made = {"tracer": _render("tracer", lowered.tracer, tracer_key, place, request, progress)}
+    if lowered.povray is not None:
+        made["povray"] = _render("povray", lowered.povray, povray_key, place, request, progress)
+    return made
 
 
 def tracer_key(version: str, lowered: dict[str, Any]) -> str:
@@ -53,11 +61,13 @@ def tracer_key(version: str, lowered: dict[str, Any]) -> str:
     return content_key("tracer", version, [canonical_json(lowered)], named_files(lowered))
 
 
-def povray_key(version: str, lowered: PovrayScene) -> str:
+def povray_key(version: str, lowered: PovrayScene | None) -> str:
     """The content that decides POV-Ray's image: the texts of its runs, and how their images are added up.
 
     The scene's hash is in it too, because the image carries it: two scenes may have one text.
     """
+    if lowered is None:
+        return ""
     sums = [f"{run.name} {run.half} {run.width} {run.height} {run.samples_across} {run.gain}" for run in lowered.runs]
     return content_key(
         "povray", version, [lowered.scene_hash, *sums, *(run.sdl for run in lowered.runs), str(lowered.settings)]

@@ -34,9 +34,10 @@ class Defect:
 class Request:
     """Scenes and settings of one run. ``overrides`` replace fields of the settings; ``out`` holds the results.
 
-    ``threads`` 0 takes every core; ``jobs`` scenes are worked on at a time; after the first look up to ``rounds`` more
-    buy samples for the scenes in doubt. ``references`` is the folder of closed
-    forms and thresholds, or None for the one nearest to each scene.
+    ``against`` says what the tracer is held against beside closed forms: ``povray``, ``stored`` (its own accepted
+    image, made again by that image's recipe), or both. ``threads`` 0 takes every core; ``jobs`` scenes are worked on
+    at a time; after the first look up to ``rounds`` more buy samples for the scenes in doubt. ``references`` is the
+    folder of closed forms, thresholds and stored images, or None for the one nearest to each scene.
     """
 
     out: Path
@@ -47,6 +48,7 @@ class Request:
     rounds: int = 0
     references: Path | None = None
     defect: Defect = Defect()
+    against: tuple[str, ...] = ("povray",)
     engines: Mapping[str, Engine] = field(default_factory=lambda: {"tracer": Tracer(), "povray": Povray()})
     command: tuple[str, ...] = ()
 

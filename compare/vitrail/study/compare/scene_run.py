@@ -2,32 +2,30 @@
 
 from __future__ import annotations
 
+import shutil
 from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
 from vitrail.engines.base import EngineFailure, Progress, Rendering
 from vitrail.images.exr import ImageError, ImageLayers, read_image
-from vitrail.judge.comparison import Pair
 from vitrail.judge.gates import Inspected, check_gates
-from vitrail.judge.observe import NothingToMeasure, Observed, observe
+from vitrail.judge.observe import NothingToMeasure, Observed
 from vitrail.judge.pictures import write_pictures
-from vitrail.judge.records import Gate, SceneResult, Status
-from vitrail.judge.references import read_scene_truth, references_folder
-from vitrail.judge.whole_image import global_metrics
+from vitrail.judge.records import SceneResult, Status
+from vitrail.judge.references import references_folder
+from vitrail.judge.stored import Stored, read_stored
 from vitrail.lower.povray import NotTranslatable
-from vitrail.lower.povray.certificate import Certificate
 from vitrail.plan.analyse import analyse
-from vitrail.plan.budget import Settings, settings_for
+from vitrail.plan.budget import Quality, Settings, settings_for
 from vitrail.plan.plan import Plan
 from vitrail.scene.load import Loaded
 from vitrail.scene.phenomenon import Phenomenon
 from vitrail.scene.print import scene_hash
 from vitrail.study.compare.evidence import certificate_records, engine_record, plan_records, speed_records
+from vitrail.study.compare.look import Look
 from vitrail.study.compare.render import lower_both, render_both
 from vitrail.study.compare.request import Request
-
-PAIRS = (Pair.TRACER_POVRAY, Pair.TRACER_TRUTH, Pair.POVRAY_TRUTH)
 
 
 @dataclass(frozen=True)
@@ -43,13 +41,20 @@ class SceneRun:
 def run_scene(loaded: Loaded, name: str, request: Request, progress: Progress) -> SceneRun:
     """Load, plan, lower, render, measure. What stops one scene is its status and message, and stops no other."""
     plan = analyse(loaded.scene)
-    settings = settings_for(loaded.scene, plan, request.quality, **request.overrides)
+    folder = references_folder(loaded.path, request.references)
+    stored = read_stored(folder, loaded.path.stem, scene_hash(loaded.scene)) if "stored" in request.against else None
+    settings = _settings(loaded, plan, stored, request)
     record = _record(loaded, name, plan, settings, request)
     try:
         lowered = lower_both(loaded, plan, settings, request)
-        record = record.model_copy(update={"certificate": certificate_records(lowered.povray.certificate)})
+        record = record.model_copy(update={"certificate": certificate_records(lowered.certificate)})
         made = render_both(lowered, request.out / name, request, progress)
-        return _measured(loaded, record, made, lowered.povray.certificate, settings, request)
+        record, images = _images(loaded, record, made, stored, request)
+        if record.status is not Status.JUDGED:
+            return SceneRun(record)
+        look = Look(loaded.scene, loaded.path.stem, folder, settings, images, stored)
+        record = record.model_copy(update={"global_metrics": look.whole_images()})
+        return SceneRun(record, look.observations(), lowered.certificate.bound, folder)
     except NotTranslatable as refusal:
         return SceneRun(ended(record, Status.NOT_TRANSLATABLE, str(refusal)))
     except EngineFailure as failure:
@@ -83,53 +88,50 @@ def _record(loaded: Loaded, name: str, plan: Plan, settings: Settings, request: 
     )
 
 
-def _measured(
-    loaded: Loaded,
-    record: SceneResult,
-    made: Mapping[str, Rendering],
-    certificate: Certificate,
-    settings: Settings,
-    request: Request,
-) -> SceneRun:
-    """Gates, pictures, whole-image metrics and observations of two finished images."""
+def _settings(loaded: Loaded, plan: Plan, stored: Stored | None, request: Request) -> Settings:
+    """The request's settings, or the recipe of the stored image where that is to be made again."""
+    if stored is None:
+        return settings_for(loaded.scene, plan, request.quality, **request.overrides)
+    recipe = {key: value for key, value in stored.provenance.settings.items() if key != "quality"}
+    quality: Quality = stored.provenance.quality  # type: ignore[assignment]
+    return settings_for(loaded.scene, plan, quality, **{**recipe, **request.overrides})
+
+
+def _images(
+    loaded: Loaded, record: SceneResult, made: Mapping[str, Rendering], stored: Stored | None, request: Request
+) -> tuple[SceneResult, dict[str, ImageLayers]]:
+    """The images through their gates, with their pictures; the record says how they were made or what is wrong.
+
+    Raises EngineFailure for an image that cannot be read.
+    """
     engines = tuple(engine_record(rendering.record) for rendering in made.values())
-    record = record.model_copy(update={"engines": engines, "speed": speed_records(engines)})
+    remarks = stored.remarks(engines[0].version) if stored is not None else ()
+    record = record.model_copy(
+        update={"engines": engines, "speed": speed_records(engines), "warnings": (*record.warnings, *remarks)}
+    )
     if any(rendering.interrupted for rendering in made.values()):
-        return SceneRun(ended(record, Status.INTERRUPTED, "interrupted; start again to finish it"))
-    images, gates = _images(record, made)
+        return ended(record, Status.INTERRUPTED, "interrupted; start again to finish it"), {}
+    files = {side: rendering.image_path for side, rendering in made.items()}
+    images = {side: _read(side, path) for side, path in files.items()}
+    if stored is not None:
+        images["stored"], files["stored"] = stored.image, request.out / record.name / "stored.exr"
+        shutil.copyfile(stored.path, files["stored"])
+    inspected = [inspect(side, image, files[side].name) for side, image in images.items()]
+    gates = check_gates(record.width, record.height, record.scene_hash, inspected)
     record = record.model_copy(update={"gates": gates})
     failed = [gate.message for gate in gates if not gate.passed]
     if failed:
-        return SceneRun(ended(record, Status.ENGINE_FAILED, "\n".join(failed)))
+        return ended(record, Status.ENGINE_FAILED, "\n".join(failed)), images
     place = request.out / record.name
-    files, differences = write_pictures(images, made_paths(made), place, loaded.scene.image.exposure_stops)
-    folder = references_folder(loaded.path, request.references)
-    truth = read_scene_truth(folder, loaded.path.stem, loaded.scene)
-    observed = observe(loaded.scene, images, PAIRS, truth, settings.gather_radius_m)
-    record = record.model_copy(
-        update={
-            "images": files,
-            "differences": differences,
-            "global_metrics": global_metrics(images, loaded.scene.image.exposure_stops),
-        }
-    )
-    return SceneRun(record, observed, certificate.bound, folder)
+    sides, differences = write_pictures(images, files, place, loaded.scene.image.exposure_stops)
+    return record.model_copy(update={"images": sides, "differences": differences}), images
 
 
-def made_paths(made: Mapping[str, Rendering]) -> dict[str, Path]:
-    return {side: rendering.image_path for side, rendering in made.items()}
-
-
-def _images(record: SceneResult, made: Mapping[str, Rendering]) -> tuple[dict[str, ImageLayers], tuple[Gate, ...]]:
-    """Read both images and pass them through the gates. Raises EngineFailure for one that cannot be read."""
-    images = {}
-    for side, rendering in made.items():
-        try:
-            images[side] = read_image(rendering.image_path)
-        except ImageError as error:
-            raise EngineFailure(side, f"its image cannot be read ({error})", "render it again") from None
-    inspected = [inspect(side, image, made[side].image_path.name) for side, image in images.items()]
-    return images, check_gates(record.width, record.height, record.scene_hash, inspected)
+def _read(side: str, path: Path) -> ImageLayers:
+    try:
+        return read_image(path)
+    except ImageError as error:
+        raise EngineFailure(side, f"its image cannot be read ({error})", "render it again") from None
 
 
 def inspect(side: str, image: ImageLayers, file: str) -> Inspected:
@@ -150,4 +152,6 @@ def _reproduce(path: Path, settings: Settings, request: Request) -> str:
     """The line that makes this scene's numbers again."""
     options = " ".join(f"--set {key}={value}" for key, value in sorted(request.overrides.items()))
     line = f"vitrail compare {path} --out out --quality {settings.quality} {options}".rstrip()
+    if request.against != ("povray",):
+        line += f" --against {'both' if len(request.against) == 2 else request.against[0]}"
     return line + (f" --inject-defect {request.defect.name}" if request.defect.name else "")

@@ -77,7 +77,7 @@ def _measured(
         observed = observe(scene, images, PAIRS, truth, max(_gather_radius_m(image) for image in images.values()))
     except NothingToMeasure as nothing:
         return SceneRun(ended(record, Status.SCENE_ERROR, str(nothing)))
-    whole = global_metrics(images, scene.image.exposure_stops)
+    whole = global_metrics(Pair.CANDIDATE_REFERENCE, images, scene.image.exposure_stops)
     record = record.model_copy(update={"images": sides, "differences": differences, "global_metrics": whole})
     return SceneRun(record, observed, references=folder)
 

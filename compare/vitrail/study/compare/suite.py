@@ -19,9 +19,11 @@ from vitrail.judge.false_alarms import SUITE_FALSE_ALARM_RATE, sidak
 from vitrail.judge.judgement import judge_observation
 from vitrail.judge.records import Results, Run, SceneResult, Status, write_results
 from vitrail.judge.references import read_scene_truth, references_folder
+from vitrail.judge.stored import read_stored
 from vitrail.judge.thresholds import read_thresholds
 from vitrail.judge.verdict import overall
 from vitrail.scene.load import Loaded
+from vitrail.scene.print import scene_hash
 from vitrail.study.compare.more_samples import more, wanted_factor
 from vitrail.study.compare.request import Request
 from vitrail.study.compare.scene_run import SceneRun, run_scene
@@ -70,6 +72,8 @@ def _check_references(scenes: Sequence[Loaded], request: Request) -> None:
         folder = references_folder(loaded.path, request.references)
         read_thresholds(folder / "thresholds.yaml")
         read_scene_truth(folder, loaded.path.stem, loaded.scene)
+        if "stored" in request.against:
+            read_stored(folder, loaded.path.stem, scene_hash(loaded.scene))
 
 
 def _undecided(results: Results, scenes: Mapping[str, Loaded], request: Request) -> list[tuple[str, Loaded, Request]]:
@@ -146,7 +150,8 @@ def _watched(watch: Watch, name: str) -> Callable[[str, float, float], None]:
 
 def _judged(run: SceneRun, observations: Sequence[ObservationResult]) -> SceneResult:
     """The scene's record with its verdicts; a scene that observes nothing has judged nothing and says so."""
-    verdict = overall(each.verdict for each in observations)
+    words = [each.verdict for each in observations] + [each.verdict for each in run.record.global_metrics]
+    verdict = overall(words) if observations else None
     update: dict[str, object] = {"observations": tuple(observations), "verdict": verdict}
     if verdict is None:
         update |= {"status": Status.SCENE_ERROR, "message": "the scene observes nothing; add an `observe` entry"}

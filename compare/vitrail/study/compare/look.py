@@ -1,0 +1,60 @@
+"""The numbers of one scene's images: between the engines, against closed forms, and against its stored image."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass
+from pathlib import Path
+
+from vitrail.images.exr import ImageLayers
+from vitrail.judge.comparison import Pair
+from vitrail.judge.observe import Observed, merged, observe
+from vitrail.judge.paired import paired
+from vitrail.judge.records import GlobalMetric
+from vitrail.judge.references import read_scene_truth
+from vitrail.judge.stored import Stored
+from vitrail.judge.thresholds import read_thresholds
+from vitrail.judge.whole_image import global_metrics
+from vitrail.plan.budget import Settings
+from vitrail.scene.model import Scene
+
+PAIRS = (Pair.TRACER_POVRAY, Pair.TRACER_TRUTH, Pair.POVRAY_TRUTH)
+
+
+@dataclass(frozen=True)
+class Look:
+    """One scene, its images by side, and what they may be held against."""
+
+    scene: Scene
+    name: str
+    references: Path
+    settings: Settings
+    images: Mapping[str, ImageLayers]
+    stored: Stored | None
+
+    def observations(self) -> tuple[Observed, ...]:
+        """Every observation on every pair. Raises NothingToMeasure."""
+        truth = read_scene_truth(self.references, self.name, self.scene)
+        radius_m = self.settings.gather_radius_m
+        found = observe(self.scene, self.images, PAIRS, truth, radius_m)
+        if self.stored is None:
+            return found
+        older = observe(self.scene, self._with_stored(), (Pair.TRACER_STORED,), truth, radius_m)
+        return tuple(merged(*both) for both in zip(found, older, strict=True))
+
+    def whole_images(self) -> tuple[GlobalMetric, ...]:
+        """Global metrics between the engines, and against the stored image, where they are judged too."""
+        stops = self.scene.image.exposure_stops
+        found = global_metrics(Pair.TRACER_POVRAY, self.images, stops)
+        if self.stored is None:
+            return found
+        rules = read_thresholds(self.references / "thresholds.yaml").stored_image
+        return found + global_metrics(Pair.TRACER_STORED, self._with_stored(), stops, rules)
+
+    def _with_stored(self) -> dict[str, ImageLayers]:
+        """The tracer's image and its stored one; made by one recipe they share their noise, and the halves say so."""
+        assert self.stored is not None
+        tracer, stored = self.images["tracer"], self.stored.image
+        if dict(self.stored.provenance.settings) == asdict(self.settings):
+            tracer, stored = paired(tracer, stored)
+        return {"tracer": tracer, "stored": stored}
