@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import shutil
 import tempfile
+import threading
 import time
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -82,7 +83,7 @@ class Povray:
                 outcomes = list(pool.map(lambda run: self._run(run, lowered, shown), lowered.runs))
             except BaseException:
                 # Let no other run go on for a result that nobody will see.
-                shown.cancel()
+                shown.stop.set()
                 pool.shutdown(cancel_futures=True)
                 raise
         return write_result(out_dir, lowered, outcomes, version, at_once, time.monotonic() - started)
@@ -111,7 +112,10 @@ class Povray:
         isolated = isolate(self.program, words, folder, Allowance(memory_bytes=memory))
         said: list[str] = []
         finished = run_child(
-            isolated.command, limits=Limits(wall_s=self._timeout_s), on_line=lambda line: shown.hear(run, line, said)
+            isolated.command,
+            limits=Limits(wall_s=self._timeout_s),
+            on_line=lambda line: shown.hear(run, line, said),
+            stop=shown.stop,
         )
         output = "\n".join(said)
         self._check_ending(finished, output)
@@ -166,10 +170,6 @@ class Povray:
             raise EngineFailure(self.name, what, "this is a defect of the plan; report the scene")
 
 
-class _Cancelled(Exception):
-    """Another run has failed, or somebody pressed Ctrl-C."""
-
-
 class _SharedProgress:
     """Adds the progress of runs that go on together, and ends them together."""
 
@@ -177,15 +177,10 @@ class _SharedProgress:
         self._progress = progress
         self._total = float(sum(run.width * run.height for run in lowered.runs))
         self._done: dict[str, int] = {}
-        self._is_cancelled = False
-
-    def cancel(self) -> None:
-        self._is_cancelled = True
+        self.stop = threading.Event()
 
     def hear(self, run: str, line: str, said: list[str]) -> bool:
-        """Use every line: progress moves the bar, the rest is kept. Raises _Cancelled to end the program."""
-        if self._is_cancelled:
-            raise _Cancelled
+        """Use every line: progress moves the bar, the rest is kept."""
         found = progress_of(line)
         if found is None:
             said.append(line)
