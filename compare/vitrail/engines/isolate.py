@@ -1,7 +1,7 @@
 """Walls around a foreign program: fresh environment, limits on time, memory and files, no network, no rights.
 
 POV-Ray's own file restrictions do nothing [P 8.4], so the walls are built outside, of whatever the machine has: network
-namespaces, a user without rights, resource limits. What could not be had is said, run by run.
+namespaces, a user without rights, resource limits, an end with ours. What could not be had is said, run by run.
 """
 
 from __future__ import annotations
@@ -81,7 +81,7 @@ def walls_here(program: str) -> Walls:
     else:
         words.append("network not shut off: no namespaces here")
     # Become nobody, where nobody can reach the program.
-    user = ["setpriv", "--no-new-privs"]
+    user = ["setpriv", "--no-new-privs", "--pdeathsig=KILL"]
     if is_root:
         user += [f"--reuid={NOBODY}", f"--regid={NOBODY}", "--clear-groups"]
     has_user_wall = _works([*wrapper, *user, "test", "-x", program])

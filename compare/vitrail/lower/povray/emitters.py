@@ -8,12 +8,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from random import Random
 
 from vitrail.scene.model import Disc, Rectangle
 from vitrail.scene.surface import frame_of
 from vitrail.scene.vector import Vec, add, cross, length, scale, unit
+
+SMALL_SUN_DEG = 2.0
+"""Diameter below which a penumbra is narrow and a quarter of the small lights is enough."""
 
 
 @dataclass(frozen=True)
@@ -71,6 +74,8 @@ def sun_directions(direction: Vec, diameter_deg: float, grid: Grid) -> list[Emit
     """
     u, v = frame_of(direction)
     reach = math.radians(diameter_deg) / 2
+    if diameter_deg < SMALL_SUN_DEG:
+        grid = replace(grid, count=max(1, grid.count // 4))
     found = []
     for x, y, share in _disc_cells(grid):
         # Map the disc to the cap with equal areas: 1 - cos(angle) grows with the square of the radius.

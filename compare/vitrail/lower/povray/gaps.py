@@ -14,6 +14,7 @@ from vitrail.lower.povray.normalise import Normalisation, thickness_of
 from vitrail.lower.povray.surface_points import surface_points
 from vitrail.scene.distance import distance_to_surface
 from vitrail.scene.model import Box, Cone, Cylinder, Disc, Lens, Mesh, Object, Plane, Prism, Rectangle, Scene, Sphere
+from vitrail.scene.overlap import overlap
 from vitrail.scene.placement import Frame, Placed, place
 from vitrail.scene.vector import Vec, add, scale, subtract, unit
 
@@ -46,15 +47,20 @@ def with_gaps(scene: Scene, units: Normalisation) -> Placement:
     shrunk: list[Shrunk] = []
     for index, item in enumerate(scene.objects):
         placed = place(item)
-        others = [other for position, other in enumerate(scene.objects) if position != index]
+        others = [other for position, other in enumerate(scene.objects) if position != index and apart(item, other)]
         if scene.material_of(item).is_transmissive and _touches_any(item, others, NEAR / units.scale):
             depth = GAP / units.scale
-            smaller = _smaller(placed, depth)
-            if smaller is not None:
+            inner = smaller(placed, depth)
+            if inner is not None:
                 shrunk.append(Shrunk(index, depth, 2 * depth / thickness_of(placed.shape)))
-                placed = smaller
+                placed = inner
         found.append(placed)
     return Placement(tuple(found), tuple(shrunk))
+
+
+def apart(a: Object, b: Object) -> bool:
+    """Whether two objects are not meant to share room; those of different priority are cut instead."""
+    return (a.priority or 0) == (b.priority or 0) or not overlap(a, b)
 
 
 def _touches_any(item: Object, others: list[Object], near_m: float) -> bool:
@@ -69,7 +75,7 @@ def surface_distance(a: Object, b: Object) -> float:
     return min((each for each in [*from_a, *from_b] if each is not None), default=math.inf)
 
 
-def _smaller(placed: Placed, depth: float) -> Placed | None:
+def smaller(placed: Placed, depth: float) -> Placed | None:
     """The shape with its surface moved inwards by ``depth`` metres; None for what is no solid."""
     shape = placed.shape
     match shape:

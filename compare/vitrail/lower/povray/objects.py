@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from vitrail.lower.povray.exposure import Exposure, Triplet
 from vitrail.lower.povray.indices import Indices
 from vitrail.lower.povray.materials import texture_sdl
+from vitrail.lower.povray.nesting import Cut
 from vitrail.lower.povray.normalise import Normalisation
 from vitrail.lower.povray.sdl import block, rgb
 from vitrail.lower.povray.shapes import primitive
@@ -27,26 +28,57 @@ class ObjectText:
     units: Normalisation
     has_photons: bool
     indices: Indices
+    has_media: bool = False
 
-    def sdl(self, item: Object, placed: Placed, exposure: Exposure, is_shooting: bool) -> str:
+    def sdl(
+        self,
+        item: Object,
+        placed: Placed,
+        exposure: Exposure,
+        is_shooting: bool,
+        cuts: tuple[Cut, ...] = (),
+        shares_room: bool = False,
+    ) -> str:
         """The object in one run; ``placed`` is its shape, where a gap has been opened already."""
         material = self.scene.material_of(item)
         shape = primitive(placed, self.units)
-        texture = texture_sdl(Surface(material, placed, exposure, self.units, self._has_ambient))
-        interior = self._interior(material, exposure, is_shooting)
-        return block(shape.keyword, [*shape.parts, texture, interior, self._photons(material)])
+        after = [
+            self._texture(material, placed, exposure),
+            self._interior(material, exposure, is_shooting, shares_room),
+            self._photons(material),
+        ]
+        if not cuts:
+            return block(shape.keyword, [*shape.parts, *after])
+        # The faces that a cut leaves belong to the solid that cuts.
+        parts = [block(shape.keyword, shape.parts)]
+        for cut in cuts:
+            cutter = self.scene.material_of(self.scene.objects[cut.by])
+            look = cutter if material.is_transmissive else material
+            inner = primitive(cut.placed, self.units)
+            parts.append(block(inner.keyword, [*inner.parts, self._texture(look, cut.placed, exposure)]))
+        return block("difference", [*parts, *after])
+
+    def _texture(self, material: Material, placed: Placed, exposure: Exposure) -> str:
+        return texture_sdl(Surface(material, placed, exposure, self.units, self._has_ambient))
 
     @property
     def _has_ambient(self) -> bool:
         return isinstance(self.scene.transport.indirect, Ambient) and self.plan.requires(Phenomenon.INDIRECT_LIGHT)
 
-    def _interior(self, material: Material, exposure: Exposure, is_shooting: bool) -> str:
-        """The index where light enters or Fresnel asks for it, and the absorption where the plan wants it."""
+    def _interior(self, material: Material, exposure: Exposure, is_shooting: bool, shares_room: bool) -> str:
+        """The index where light enters or Fresnel asks for it, and the absorption where the plan wants it.
+
+        ``interior`` absorbs only up to a face of its own solid; with others inside, a medium does, all along the ray.
+        """
         if not material.is_transmissive and not (material.fresnel and material.is_specular):
             return ""
         absorbing = material.is_transmissive and self.plan.requires(Phenomenon.ABSORPTION)
-        fade = _fade(exposure.share(self._absorption_per_unit(material))) if absorbing else ""
-        return block("interior", [self.indices.sdl(material, exposure, is_shooting), fade])
+        inside = ""
+        if absorbing and max(absorption_per_m(material)) > 0:
+            per_unit = exposure.share(self._absorption_per_unit(material))
+            inside = f"media {{ absorption {rgb(per_unit)} }}" if shares_room else _fade(per_unit)
+        interior = block("interior", [self.indices.sdl(material, exposure, is_shooting), inside])
+        return f"{interior}\nhollow" if self.has_media and material.is_transmissive else interior
 
     def _absorption_per_unit(self, material: Material) -> Triplet:
         red, green, blue = absorption_per_m(material)

@@ -12,6 +12,7 @@ from vitrail.lower.povray.gaps import GAP, Shrunk
 from vitrail.lower.povray.indices import Indices
 from vitrail.lower.povray.lights import FADE_SHARE, Source
 from vitrail.lower.povray.modes import Mode
+from vitrail.lower.povray.nesting import Nesting, is_lossless
 from vitrail.lower.povray.normalise import Normalisation
 from vitrail.lower.povray.photon_residuals import photon_entries
 from vitrail.lower.povray.photons import PhotonPass
@@ -40,6 +41,7 @@ class Translation:
     depth: TraceDepth
     shrunk: tuple[Shrunk, ...]
     indices: Indices
+    nesting: Nesting
 
 
 def certificate_of(translation: Translation) -> Certificate:
@@ -49,6 +51,7 @@ def certificate_of(translation: Translation) -> Certificate:
             *_output(translation),
             *_position(translation),
             *_gaps(translation),
+            *_cuts(translation),
             *_falloff(translation),
             *_depth(translation),
             *_pools(translation),
@@ -96,6 +99,26 @@ def _gaps(translation: Translation) -> Iterator[Entry]:
             RELATIVE,
             f"POV-Ray loses one of two faces nearer than 1e-4 units; the solid shrinks by {GAP:g} units",
         )
+
+
+def _cuts(translation: Translation) -> Iterator[Entry]:
+    """Lower solids cut by higher ones; what is exact (air, lossless glass) needs no entry of its own size."""
+    scene, scale = translation.scene, translation.units.scale
+    for index, cuts in enumerate(translation.nesting.cuts):
+        for cut in cuts:
+            if cut.is_exact:
+                continue
+            pair = [scene.material_of(scene.objects[each]) for each in (index, cut.by)]
+            lost = max(1 - min(material.transmission) for material in pair)
+            yield Entry(
+                Phenomenon.REFRACTION,
+                f"O{index + 1} cut by O{cut.by + 1}",
+                "the higher priority rules",
+                f"set difference, the hidden face {GAP / scale:.3g} m inside the higher one",
+                0.0 if all(is_lossless(material) for material in pair) else lost,
+                RELATIVE,
+                "at the hidden face the index stays the same; a share less than 1 would count there too",
+            )
 
 
 def _falloff(translation: Translation) -> Iterator[Entry]:
