@@ -35,7 +35,7 @@ def _chart(entry: dict[str, Any]) -> dict[str, Any]:
 
 
 def _marks(settings: list[dict[str, Any]], across: LogAxis, up: LogAxis) -> dict[str, Any]:
-    points = [
+    points: list[dict[str, Any]] = [
         {
             "x": across.place(each["cost_s"]["value"]),
             "y": up.place(max(each["error"]["value"], 1e-300)),

@@ -38,7 +38,6 @@ BENCH = (
     "tinted_pane_seen",
     "tinted_pane_projected",
     "beer_wedge",
-    "frosted_edge",
     "prism_screen",
     "ball_lens",
 )
