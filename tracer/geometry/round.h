@@ -1,6 +1,9 @@
 #pragma once
 /// Lines against balls and round walls: roots that keep their digits near, far, and from a start on the surface.
 
+#include <algorithm>
+#include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "base/exact.h"
@@ -32,7 +35,23 @@ inline std::pair<double, double> stable_roots(double a, double b, double c, doub
 
 /// Where a line is inside a ball. `on_surface`: the ray starts on it, so one root is zero and the other 2 b [O 2.14].
 /// False if the line misses.
-bool ball_span(Vec3 center, double radius, const Ray& ray, bool on_surface, double& in, double& out);
+inline bool ball_span(Vec3 center, double radius, const Ray& ray, bool on_surface, double& in, double& out) {
+  const Vec3 to_center = center - ray.origin;
+  const double b = dot(to_center, ray.direction);
+  if (on_surface) {
+    in = b < 0 ? 2 * b : 0;
+    out = b < 0 ? 0 : 2 * b;
+    return true;
+  }
+
+  // Decide from the closest approach of the line, whose distance to the centre keeps its digits from afar [O 2.11].
+  const double closest_squared = length_squared(to_center - ray.direction * b);
+  if (!(closest_squared < radius * radius)) return false;
+  const double closest = std::sqrt(closest_squared);
+  const double h = std::sqrt(std::max(0.0, (radius - closest) * (radius + closest)));
+  std::tie(in, out) = stable_roots(1, b, power_of_point(ray.origin, center, radius), h);
+  return true;
+}
 
 /// The nearest point of a sphere to a point close to it.
 inline Vec3 project_to_sphere(Vec3 point, Vec3 center, double radius) {
