@@ -190,6 +190,13 @@ TEST(Glass, OnATableLeavesNoAirBetween) {
   ASSERT_EQ(events(path), "enter diffuse");
   EXPECT_EQ(path[1].object, 0u);
   EXPECT_EQ(path[1].medium, 1u);
+
+  // The table is seen from inside glass: its radiance carries the square of that index.
+  const Intersector intersector(builder.scene);
+  const Arrival arrival =
+      advance(builder.scene, intersector, {{0, -0.2, 0}, {0, -1, 0}}, {}, intersector.media_at({0, -0.2, 0}), 0);
+  EXPECT_EQ(arrival.event.ior_before, 1.5);
+  EXPECT_EQ(arrival.event.facing_normal, (Vec3{0, 1, 0}));
 }
 
 TEST(Glass, SetIntoAnOpaqueWallIsAWindow) {

@@ -41,6 +41,12 @@ Shares shares_of(const Scene& scene, const Sides& sides, std::uint32_t material)
   return shares;
 }
 
+/// The shading normal against the light, or the geometric one where the shading normal of a smooth mesh turns away.
+Vec3 facing_normal(const Crossing& surface, Vec3 direction) {
+  const Vec3 shading = surface.entering ? surface.shading_normal : -surface.shading_normal;
+  return dot(shading, direction) < 0 ? shading : surface.entering ? surface.normal : -surface.normal;
+}
+
 /// Bend the light at the shading normal, or at the geometric one where the shading normal of a smooth mesh would send
 /// it to the wrong side of the surface. Sets the normal that was used, facing the light.
 Refraction bend(const Paper& paper, const Crossing& surface, Vec3 direction, const IndexPair& index, Vec3& facing) {
@@ -107,6 +113,7 @@ void interact(const Scene& scene, const Hit& hit, Vec3 direction, const MediumSe
   // Describe the surface.
   const Crossing& surface = *sides.owner;
   result.transmit.exists = false;
+  result.reflect.exists = false;
   result.object = sides.object;
   result.material = scene.objects[result.object].material;
   const Material& material = scene.materials[result.material];
@@ -115,8 +122,18 @@ void interact(const Scene& scene, const Hit& hit, Vec3 direction, const MediumSe
   result.emission = texture_at(material.emission, surface.s, surface.q);
   result.roughness = material.roughness;
 
-  // Bend the light; an opaque surface has no other side, but its own index decides how strong its mirror is.
   const MediumIndex from = index_of(scene, result.medium_before, band, ior_of_camera);
+  result.ior_before = result.ior_after = from.ior;
+
+  // Nothing leaves a dull surface in one direction.
+  if (sides.opaque && is_black(material.reflection)) {
+    result.facing_normal = facing_normal(surface, direction);
+    result.R = 0;
+    result.T = 1;
+    return;
+  }
+
+  // Bend the light; an opaque surface has no other side, but its own index decides how strong its mirror is.
   MediumIndex to = index_of(scene, result.medium_after, band, ior_of_camera);
   if (sides.opaque && material.fresnel)
     to = ior_of_camera ? MediumIndex{material.camera_ior, material.camera_ior - 1}
@@ -124,7 +141,6 @@ void interact(const Scene& scene, const Hit& hit, Vec3 direction, const MediumSe
   const IndexPair index{from.ior, to.ior, from.ior_minus_one, to.ior_minus_one};
   const Refraction refraction = bend(scene.paper, surface, direction, index, result.facing_normal);
   const FresnelShares fresnel_shares = fresnel(index, refraction);
-  result.ior_before = from.ior;
   result.ior_after = to.ior;
   result.R = fresnel_shares.R;
   result.T = fresnel_shares.T;

@@ -40,7 +40,7 @@ struct Interaction {
 
   Rgb diffuse;          // albedo d here (pattern resolved); exitant radiance is d E / pi
   Rgb emission;         // radiance given off here
-  double R = 0, T = 0;  // scalar Fresnel shares at this angle (R + T = 1), also where the material ignores them
+  double R = 0, T = 1;  // scalar Fresnel shares at this angle (R + T = 1), also where the material ignores them
   bool total_internal_reflection = false;
   Branch reflect, transmit;  // exists == false where the weight is zero in every channel
   Roughness roughness;       // of the surface; the directions above are those of the smooth surface
