@@ -15,13 +15,7 @@ global_settings {
 }
 #default { finish { ambient 0 emission 0 diffuse 0 } }
 background { rgb 0 }
-camera {
-  orthographic
-  location <0.040625, 4, -0.040625>
-  direction <0, -1, 0>
-  right <20.8, 0, 0>
-  up <0, 0, -20.8>
-}
+camera { orthographic location <0, 4, 0> direction <0, -1, 0> right <20.8, 0, 0> up <0, 0, -20.8> }
 light_source { <0, 16384, 0> rgb 0.9960957421875001 parallel point_at <0, 0, 0> }
 plane { <0, 1, 0>, 0 texture { pigment { rgb 0.8 } finish { diffuse 1 } } }
 sphere {

@@ -5,7 +5,7 @@ background { rgb 0 }
 camera {
   perspective
   location <0, 64, 0>
-  direction <0.002843517455204706, -1, -0.002843517455204706>
+  direction <0, -1, 0>
   right <1.091910702798607, 0, 0>
   up <0, 0, -0.7279404685324047>
 }

@@ -4,7 +4,7 @@ global_settings { assumed_gamma 1 max_trace_level 73 adc_bailout 1e-06 }
 background { rgb 0 }
 camera {
   orthographic
-  location <0.001953125, 1.0016914558667664, 2.597099648853316>
+  location <0, 1, 2.598076211353316>
   direction <0, -0.5, -0.8660254037844387>
   right <0.5, 0, 0>
   up <0, 0.43301270189221935, -0.25>

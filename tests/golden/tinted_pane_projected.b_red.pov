@@ -15,13 +15,7 @@ global_settings {
 }
 #default { finish { ambient 0 emission 0 diffuse 0 } }
 background { rgb 0 }
-camera {
-  orthographic
-  location <-0.06666666666666667, 16, 0.06666666666666667>
-  direction <0, -1, 0>
-  right <25.6, 0, 0>
-  up <0, 0, -25.6>
-}
+camera { orthographic location <0, 16, 0> direction <0, -1, 0> right <25.6, 0, 0> up <0, 0, -25.6> }
 light_source { <0, 16384, 0> rgb 1.229747829861111 parallel point_at <0, 0, 0> }
 plane { <0, 1, 0>, 0 texture { pigment { rgb 0.8 } finish { diffuse 1 } } }
 box {
