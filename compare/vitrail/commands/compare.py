@@ -10,20 +10,26 @@ import typer
 
 from vitrail.commands.comparison_options import defect_named, load_all, overrides_of, reference_errors, watching
 from vitrail.commands.exit_code import exit_codes
-from vitrail.commands.output import print_json
+from vitrail.commands.result_formats import Format, print_in
 from vitrail.commands.settings_options import QUALITY, SETTINGS
 
 
 class Against(StrEnum):
-    """POV-Ray, the tracer's own stored image, or both; closed forms always."""
+    """POV-Ray, the tracer's own stored image, or both; closed forms always, and with ``truth`` nothing else."""
 
+    TRUTH = "truth"
     POVRAY = "povray"
     STORED = "stored"
     BOTH = "both"
 
     @property
     def sides(self) -> tuple[str, ...]:
-        return ("povray", "stored") if self is Against.BOTH else (self.value,)
+        return {
+            Against.TRUTH: (),
+            Against.POVRAY: ("povray",),
+            Against.STORED: ("stored",),
+            Against.BOTH: ("povray", "stored"),
+        }[self]
 
 
 def compare(
@@ -39,11 +45,11 @@ def compare(
     ),
     references: Path | None = typer.Option(None, "--references", help="The folder of closed forms and thresholds."),
     inject_defect: str = typer.Option("", "--inject-defect", help="Put a known mistake in, to see it caught."),
-    as_json: bool = typer.Option(False, "--json", help="Print results.json instead of the table."),
+    form: Format = typer.Option(Format.HUMAN, "--format", help="How the results are printed."),
+    as_json: bool = typer.Option(False, "--json", help="The same as --format json."),
 ) -> None:
     """Load, plan, lower, render, measure, judge, report."""
     with exit_codes(), reference_errors():
-        from vitrail.commands.verdict_table import print_results
         from vitrail.report.build import build_report
         from vitrail.study.compare.request import Request
         from vitrail.study.compare.suite import compare as compare_scenes
@@ -64,8 +70,5 @@ def compare(
         with watching(len(loaded)) as watch:
             results = compare_scenes(loaded, request, watch)
         page = build_report(out)
-        if as_json:
-            print_json(results.model_dump(mode="json"))
-        else:
-            print_results(results, page)
+        print_in(Format.JSON if as_json else form, results, page, loaded)
     raise typer.Exit(results.exit_code)

@@ -9,7 +9,7 @@ import typer
 
 from vitrail.commands.comparison_options import reference_errors
 from vitrail.commands.exit_code import exit_codes
-from vitrail.commands.output import print_json
+from vitrail.commands.result_formats import Format, print_in
 
 
 def score(
@@ -18,12 +18,12 @@ def score(
     reference: Path = typer.Argument(..., metavar="REFERENCE.exr", help="The image to judge it by."),
     out: Path = typer.Option(..., "--out", help="The folder for report and results."),
     references: Path | None = typer.Option(None, "--references", help="The folder of closed forms and thresholds."),
-    as_json: bool = typer.Option(False, "--json", help="Print results.json instead of the table."),
+    form: Format = typer.Option(Format.HUMAN, "--format", help="How the results are printed."),
+    as_json: bool = typer.Option(False, "--json", help="The same as --format json."),
 ) -> None:
     """Gates, measure, judge, report."""
     with exit_codes(), reference_errors():
         from vitrail.commands.scene_file import read_scene
-        from vitrail.commands.verdict_table import print_results
         from vitrail.report.build import build_report
         from vitrail.study.compare.score import score as score_images
 
@@ -32,8 +32,5 @@ def score(
         command = ("vitrail", *sys.argv[1:])
         results = score_images(loaded, files, out, references=references, command=command)
         page = build_report(out)
-        if as_json:
-            print_json(results.model_dump(mode="json"))
-        else:
-            print_results(results, page)
+        print_in(Format.JSON if as_json else form, results, page, [loaded])
     raise typer.Exit(results.exit_code)

@@ -35,9 +35,9 @@ class Request:
     """Scenes and settings of one run. ``overrides`` replace fields of the settings; ``out`` holds the results.
 
     ``against`` says what the tracer is held against beside closed forms: ``povray``, ``stored`` (its own accepted
-    image, made again by that image's recipe), or both. ``threads`` 0 takes every core; ``jobs`` scenes are worked on
-    at a time; after the first look up to ``rounds`` more buy samples for the scenes in doubt. ``references`` is the
-    folder of closed forms, thresholds and stored images, or None for the one nearest to each scene.
+    image, made again by that image's recipe), both, or nothing. ``threads`` 0 takes every core; ``jobs`` scenes are
+    worked on at a time; after the first look up to ``rounds`` more buy samples for the scenes in doubt. ``references``
+    is the folder of closed forms, thresholds and stored images, or None for the one nearest to each scene.
     """
 
     out: Path

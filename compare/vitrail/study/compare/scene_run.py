@@ -27,6 +27,14 @@ from vitrail.study.compare.look import Look
 from vitrail.study.compare.render import lower_both, render_both
 from vitrail.study.compare.request import Request
 
+AGAINST = {
+    frozenset(): "truth",
+    frozenset({"povray"}): "povray",
+    frozenset({"stored"}): "stored",
+    frozenset({"povray", "stored"}): "both",
+}
+"""What a request may hold the tracer against, and the word for it on the command line."""
+
 
 @dataclass(frozen=True)
 class SceneRun:
@@ -153,5 +161,5 @@ def _reproduce(path: Path, settings: Settings, request: Request) -> str:
     options = " ".join(f"--set {key}={value}" for key, value in sorted(request.overrides.items()))
     line = f"vitrail compare {path} --out out --quality {settings.quality} {options}".rstrip()
     if request.against != ("povray",):
-        line += f" --against {'both' if len(request.against) == 2 else request.against[0]}"
+        line += f" --against {AGAINST[frozenset(request.against)]}"
     return line + (f" --inject-defect {request.defect.name}" if request.defect.name else "")

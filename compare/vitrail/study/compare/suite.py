@@ -87,9 +87,13 @@ def _undecided(results: Results, scenes: Mapping[str, Loaded], request: Request)
     return found
 
 
-def judge(runs: Sequence[SceneRun], about: Run, looks: int = 1) -> Results:
-    """All verdicts of a run, at the level that its number of comparisons asks for, each looked at ``looks`` times."""
-    comparisons = looks * sum(len(observed.measured) for run in runs for observed in run.observed)
+def judge(runs: Sequence[SceneRun], about: Run, *, looks: int = 1, comparisons: int | None = None) -> Results:
+    """All verdicts of a run, at the level that its number of comparisons asks for, each looked at ``looks`` times.
+
+    ``comparisons`` gives that number where not all of them are in ``runs``; it is never taken for less than there are.
+    """
+    own = looks * sum(len(observed.measured) for run in runs for observed in run.observed)
+    comparisons = max(own, comparisons or 0)
     folders = {run.references for run in runs if run.references is not None}
     rules = {folder: read_thresholds(folder / "thresholds.yaml") for folder in folders}
     rate = min((each.suite_false_alarm_rate for each in rules.values()), default=SUITE_FALSE_ALARM_RATE)
