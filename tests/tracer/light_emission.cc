@@ -23,7 +23,8 @@ Targets one_target() {
 double photon_flux(const Chart& chart, Vec3 center) {
   double flux = 0;
   for (std::uint32_t i = 0; i < kCount; ++i) {
-    const Emission photon = emit(chart, sobol_4d(stream_of(1, Purpose::kEmissionPosition), i));
+    const auto u = sobol_4d(stream_of(1, Purpose::kEmissionPosition), i);
+    const Emission photon = emit(chart, {unit_point(u[0], u[1]), unit_point(u[2], u[3])});
     EXPECT_NEAR(length(photon.ray.direction), 1, 1e-15);
     if (!(photon.ray.direction.y < 0)) continue;
     const double t = (center.y - photon.ray.origin.y) / photon.ray.direction.y;
@@ -39,7 +40,7 @@ double illuminated_flux(const Light& light, Vec3 center) {
     const auto u = sobol_4d(stream_of(2, Purpose::kLightSample), i);
     const double r = kPatchRadius * std::sqrt(u[0]), a = 2 * kPi * u[1];
     const Vec3 at = center + Vec3{r * std::cos(a), 0, r * std::sin(a)};
-    const Illumination from = illuminate(light, at, {0, 1, 0}, {u[2], u[3]});
+    const Illumination from = illuminate(light, at, {0, 1, 0}, unit_point(u[2], u[3]));
     sum += from.irradiance.r * std::max(0.0, from.toward.y);
   }
   return sum / kCount * kPi * kPatchRadius * kPatchRadius;
@@ -90,7 +91,7 @@ TEST(Illumination, OfADiscOnItsAxisIsTheFormFactor) {
   double sum = 0;
   for (std::uint32_t i = 0; i < kCount; ++i) {
     const auto u = sobol_2d(stream_of(4, Purpose::kLightSample), i);
-    const Illumination from = illuminate(lamp, {0, 0, 0}, {0, 1, 0}, u);
+    const Illumination from = illuminate(lamp, {0, 0, 0}, {0, 1, 0}, unit_point(u[0], u[1]));
     sum += from.irradiance.r * from.toward.y;
   }
   EXPECT_NEAR(sum / kCount, kPi * 3 * 0.36 / (0.36 + 4), 1e-5);

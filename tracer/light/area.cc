@@ -29,7 +29,7 @@ bool contains(const Window& window, Vec3 point) {
 
 }  // namespace
 
-Illumination illuminate(const AreaLight& light, Vec3 point, LightSample sample) {
+Illumination illuminate(const AreaLight& light, Vec3 point, const UnitPoint& sample) {
   const auto [window, normal] = lamp_of(light);
   if (light.collimated) {
     // Follow the normal back to the lamp.
@@ -37,7 +37,7 @@ Illumination illuminate(const AreaLight& light, Vec3 point, LightSample sample) 
     if (!(height > 0) || !contains(window, point)) return {-normal, 0, {}};
     return {-normal, height, light.irradiance};
   }
-  const Vec3 way = window.at(sample[0], sample[1]) - point;
+  const Vec3 way = window.at(sample) - point;
   const double distance = length(way);
   if (distance == 0) return {};
   const Vec3 toward = way / distance;
@@ -57,7 +57,7 @@ AreaChart aim(const AreaLight& light, const Target& target) {
 }
 
 Emission emit(const AreaChart& chart, const EmissionSample& sample) {
-  const Vec3 position = chart.lamp.at(sample[0], sample[1]);
+  const Vec3 position = chart.lamp.at(sample.first);
   if (chart.collimated) return {{position, chart.normal}, chart.power};
 
   // Aim from this place of the lamp; the cosine at the lamp weighs the photon.
@@ -65,7 +65,7 @@ Emission emit(const AreaChart& chart, const EmissionSample& sample) {
   const double distance = length(way);
   const double one_minus_cos = one_minus_cos_of(chart.target.radius, distance);
   const Vec3 axis = distance > 0 ? way / distance : chart.normal;
-  const Vec3 direction = in_cone(axis, one_minus_cos, sample[2], sample[3]);
+  const Vec3 direction = in_cone(axis, surface_frame(axis), one_minus_cos, sample.second);
   const double cosine = dot(direction, chart.normal);
   if (!(cosine > 0)) return {{position, direction}, {}};
   return {{position, direction}, chart.emitted * (chart.lamp.area() * 2 * M_PI * one_minus_cos * cosine)};

@@ -6,7 +6,7 @@
 
 namespace vitrail {
 
-Illumination illuminate(const AreaLight& light, Vec3 point, LightSample sample);
+Illumination illuminate(const AreaLight& light, Vec3 point, const UnitPoint& sample);
 
 /// Photons from everywhere on the lamp: into the cone around the target, or all along the normal.
 struct AreaChart {

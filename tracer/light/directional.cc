@@ -24,10 +24,10 @@ Window upstream_window(const Target& target, Vec3 direction, const BoundingSpher
 
 }  // namespace
 
-Illumination illuminate(const DirectionalLight& light, Vec3, LightSample sample) {
+Illumination illuminate(const DirectionalLight& light, Vec3, const UnitPoint& sample) {
   if (light.angular_diameter_deg == 0) return {-light.direction, kInfinity, light.irradiance};
   const double one_minus_cos = one_minus_cos_of_sun(light);
-  const Vec3 toward = in_cone(-light.direction, one_minus_cos, sample[0], sample[1]);
+  const Vec3 toward = in_cone(-light.direction, surface_frame(light.direction), one_minus_cos, sample);
   return {toward, kInfinity, light.irradiance * share_of_a_direction(one_minus_cos)};
 }
 
@@ -43,12 +43,12 @@ DirectionalChart aim(const DirectionalLight& light, const Target& target, const 
 }
 
 Emission emit(const DirectionalChart& chart, const EmissionSample& sample) {
-  if (chart.one_minus_cos == 0) return {{chart.window.at(sample[0], sample[1]), chart.direction}, chart.power};
+  if (chart.one_minus_cos == 0) return {{chart.window.at(sample.first), chart.direction}, chart.power};
 
   // Turn the window to face the chosen direction of the sun's disc.
-  const Vec3 direction = in_cone(chart.direction, chart.one_minus_cos, sample[2], sample[3]);
+  const Vec3 direction = in_cone(chart.direction, surface_frame(chart.direction), chart.one_minus_cos, sample.second);
   const Window window = upstream_window(chart.target, direction, chart.surroundings);
-  return {{window.at(sample[0], sample[1]), direction}, chart.power * (window.area() / chart.window.area())};
+  return {{window.at(sample.first), direction}, chart.power * (window.area() / chart.window.area())};
 }
 
 }  // namespace vitrail

@@ -6,7 +6,7 @@
 
 namespace vitrail {
 
-Illumination illuminate(const DirectionalLight& light, Vec3 point, LightSample sample);
+Illumination illuminate(const DirectionalLight& light, Vec3 point, const UnitPoint& sample);
 
 /// Photons through a window that covers the target as seen along the light; a sun has one window for each direction.
 struct DirectionalChart {

@@ -1,9 +1,8 @@
 #pragma once
 /// What every kind of light answers: the light it sends to a point, and the photons it sends towards a target.
 
-#include <array>
-
 #include "base/ray.h"
+#include "light/sampling.h"
 #include "light/target.h"
 
 namespace vitrail {
@@ -22,8 +21,9 @@ struct Emission {
   Rgb power;
 };
 
-/// Coordinates in (0, 1): the first two choose a position, the last two a direction, where a light has both to choose.
-using EmissionSample = std::array<double, 4>;
-using LightSample = std::array<double, 2>;
+/// The random part of an emission: a position, and a direction where a light has both to choose.
+struct EmissionSample {
+  UnitPoint first, second;
+};
 
 }  // namespace vitrail

@@ -7,8 +7,8 @@
 
 namespace vitrail {
 
-Illumination illuminate(const EnvironmentLight& light, Vec3 normal, LightSample sample) {
-  const auto [x, y] = on_unit_disc(sample[0], sample[1]);
+Illumination illuminate(const EnvironmentLight& light, Vec3 normal, const UnitPoint& sample) {
+  const double x = sample.x, y = sample.y;
   const double cosine = std::sqrt(std::max(0.0, 1 - (x * x + y * y)));
   const SurfaceFrame frame = surface_frame(normal);
   const Vec3 toward = normalise(normal * cosine + frame.u * x + frame.v * y);
@@ -23,9 +23,9 @@ EnvironmentChart aim(const EnvironmentLight& light, const Target& target, const 
 }
 
 Emission emit(const EnvironmentChart& chart, const EmissionSample& sample) {
-  const Vec3 direction = in_cone({0, 0, 1}, 2, sample[2], sample[3]);
+  const Vec3 direction = in_cone({0, 0, 1}, surface_frame({0, 0, 1}), 2, sample.second);
   const Window window = window_on(chart.target, direction);
-  const Vec3 start = upstream_of(window.at(sample[0], sample[1]), direction, chart.surroundings);
+  const Vec3 start = upstream_of(window.at(sample.first), direction, chart.surroundings);
   return {{start, direction}, chart.radiance * (4 * M_PI * window.area())};
 }
 

@@ -6,7 +6,7 @@
 namespace vitrail {
 
 /// A direction about `normal` with density proportional to the cosine; `irradiance` is divided by that density.
-Illumination illuminate(const EnvironmentLight& light, Vec3 normal, LightSample sample);
+Illumination illuminate(const EnvironmentLight& light, Vec3 normal, const UnitPoint& sample);
 
 /// Photons from every direction through a window that covers the target.
 struct EnvironmentChart {

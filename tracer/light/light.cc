@@ -29,7 +29,7 @@ double total(Rgb power) { return power.r + power.g + power.b; }
 
 }  // namespace
 
-Illumination illuminate(const Light& light, Vec3 point, Vec3 normal, LightSample sample) {
+Illumination illuminate(const Light& light, Vec3 point, Vec3 normal, const UnitPoint& sample) {
   return std::visit(Overload{[&](const EnvironmentLight& l) { return illuminate(l, normal, sample); },
                              [&](const auto& l) { return illuminate(l, point, sample); }},
                     light.emitter);

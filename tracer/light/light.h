@@ -11,7 +11,7 @@
 namespace vitrail {
 
 /// What the light sends to a point of a surface with this normal (which only an environment uses).
-Illumination illuminate(const Light& light, Vec3 point, Vec3 normal, LightSample sample);
+Illumination illuminate(const Light& light, Vec3 point, Vec3 normal, const UnitPoint& sample);
 
 /// Whether one sample of the light says all: no extent, so every sample is the same.
 bool is_sharp(const Light& light);

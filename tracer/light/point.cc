@@ -20,6 +20,7 @@ ConeChart cone_around(Vec3 position, const Target& target, Rgb intensity) {
   ConeChart chart;
   chart.position = position;
   chart.axis = distance > 0 ? way / distance : Vec3{0, 0, 1};
+  chart.frame = surface_frame(chart.axis);
   chart.one_minus_cos = one_minus_cos_of(target.bound.radius, distance);
   chart.power = intensity * (2 * M_PI * chart.one_minus_cos);
   return chart;
@@ -27,11 +28,11 @@ ConeChart cone_around(Vec3 position, const Target& target, Rgb intensity) {
 
 }  // namespace
 
-Illumination illuminate(const PointLight& light, Vec3 point, LightSample) {
+Illumination illuminate(const PointLight& light, Vec3 point, const UnitPoint&) {
   return from_position(light.position, light.intensity, point);
 }
 
-Illumination illuminate(const SpotLight& light, Vec3 point, LightSample) {
+Illumination illuminate(const SpotLight& light, Vec3 point, const UnitPoint&) {
   Illumination found = from_position(light.position, light.intensity, point);
   if (dot(-found.toward, light.direction) < cos_of_spot(light)) found.irradiance = {};
   return found;
@@ -51,6 +52,7 @@ ConeChart aim(const SpotLight& light, const Target& target) {
   const double one_minus_cos_spot = 1 - cos_spot;
   if (one_minus_cos_spot < chart.one_minus_cos) {
     chart.axis = light.direction;
+    chart.frame = surface_frame(chart.axis);
     chart.one_minus_cos = one_minus_cos_spot;
     chart.limit_cos = -2;
     chart.power = light.intensity * (2 * M_PI * one_minus_cos_spot);
@@ -59,7 +61,7 @@ ConeChart aim(const SpotLight& light, const Target& target) {
 }
 
 Emission emit(const ConeChart& chart, const EmissionSample& sample) {
-  const Vec3 direction = in_cone(chart.axis, chart.one_minus_cos, sample[0], sample[1]);
+  const Vec3 direction = in_cone(chart.axis, chart.frame, chart.one_minus_cos, sample.first);
   const bool lit = dot(direction, chart.limit_axis) >= chart.limit_cos;
   return {{chart.position, direction}, lit ? chart.power : Rgb{}};
 }

@@ -5,12 +5,13 @@
 
 namespace vitrail {
 
-Illumination illuminate(const PointLight& light, Vec3 point, LightSample sample);
-Illumination illuminate(const SpotLight& light, Vec3 point, LightSample sample);
+Illumination illuminate(const PointLight& light, Vec3 point, const UnitPoint& sample);
+Illumination illuminate(const SpotLight& light, Vec3 point, const UnitPoint& sample);
 
 /// Photons inside the narrower of two cones: the one around the target, and the one of the spot.
 struct ConeChart {
   Vec3 position, axis;
+  SurfaceFrame frame;        // about the axis
   double one_minus_cos = 2;  // of the half angle that is sampled
   Vec3 limit_axis;           // photons outside the other cone carry nothing
   double limit_cos = -2;

@@ -1,5 +1,5 @@
 #pragma once
-/// Equal-area maps from the unit square to discs, cones and the sphere. Continuous, so that stratified points stay so.
+/// Equal-area maps from the unit square to discs, cones and the sphere. Continuous, so stratified points stay so.
 
 #include <algorithm>
 #include <array>
@@ -9,25 +9,49 @@
 
 namespace vitrail {
 
-/// The unit square onto the unit disc, squares to rings [Shirley and Chiu 1997].
-inline std::array<double, 2> on_unit_disc(double a, double b) {
-  const double x = 2 * a - 1, y = 2 * b - 1;
-  if (x == 0 && y == 0) return {0, 0};
-  if (std::abs(x) > std::abs(y)) {
-    const double angle = (M_PI / 4) * (y / x);
-    return {x * std::cos(angle), x * std::sin(angle)};
+struct SineCosine {
+  double sine, cosine;
+};
+
+/// For |x| <= pi/4, by their series to below the rounding of a double: the same bits on every machine's library.
+inline SineCosine sine_cosine(double x) {
+  const double y = x * x;
+  double sine = -1.0 / 1307674368000;  // 1 / 15!
+  for (const double c : {1.0 / 6227020800, -1.0 / 39916800, 1.0 / 362880, -1.0 / 5040, 1.0 / 120, -1.0 / 6, 1.0}) {
+    sine = sine * y + c;
   }
-  const double angle = (M_PI / 4) * (x / y);
-  return {y * std::sin(angle), y * std::cos(angle)};
+  double cosine = 1.0 / 20922789888000;  // 1 / 16!
+  for (const double c :
+       {-1.0 / 87178291200, 1.0 / 479001600, -1.0 / 3628800, 1.0 / 40320, -1.0 / 720, 1.0 / 24, -0.5, 1.0}) {
+    cosine = cosine * y + c;
+  }
+  return {sine * x, cosine};
 }
 
-/// A direction uniform in solid angle inside a cone about `axis`; `one_minus_cos` of its half angle, 2 for the sphere.
-inline Vec3 in_cone(Vec3 axis, double one_minus_cos, double a, double b) {
-  const auto [x, y] = on_unit_disc(a, b);
-  const double below = (x * x + y * y) * one_minus_cos;
+/// A sample of two dimensions in both its shapes: in the unit square, and mapped from there onto the unit disc with
+/// equal areas, squares to rings [Shirley and Chiu 1997].
+struct UnitPoint {
+  double a = 0.5, b = 0.5;
+  double x = 0, y = 0;
+};
+
+/// Without branches, so that a loop over points becomes vector instructions.
+inline UnitPoint unit_point(double a, double b) {
+  const double x = 2 * a - 1, y = 2 * b - 1;
+  const bool wide = std::abs(x) > std::abs(y);
+  const double radius = wide ? x : y, other = wide ? y : x;
+  const double ratio = radius != 0 ? other / radius : 0.0;
+  const auto [sine, cosine] = sine_cosine((M_PI / 4) * ratio);
+  const double along = radius * cosine, across = radius * sine;
+  return {a, b, wide ? along : across, wide ? across : along};
+}
+
+/// A direction uniform in solid angle inside a cone about the axis of `frame`; `one_minus_cos` of its half angle, 2 for
+/// the sphere.
+inline Vec3 in_cone(Vec3 axis, const SurfaceFrame& frame, double one_minus_cos, const UnitPoint& point) {
+  const double below = (point.x * point.x + point.y * point.y) * one_minus_cos;
   const double spread = std::sqrt(one_minus_cos * std::max(0.0, 2 - below));
-  const SurfaceFrame frame = surface_frame(axis);
-  return normalise(axis * (1 - below) + frame.u * (x * spread) + frame.v * (y * spread));
+  return normalise(axis * (1 - below) + frame.u * (point.x * spread) + frame.v * (point.y * spread));
 }
 
 /// 1 - cos of the half angle under which a sphere is seen; 2 from inside it. Exact for small angles.

@@ -9,12 +9,6 @@ namespace vitrail {
 
 double Window::area() const { return (round ? M_PI : 4) * length(u) * length(v); }
 
-Vec3 Window::at(double a, double b) const {
-  if (!round) return center + u * (2 * a - 1) + v * (2 * b - 1);
-  const auto [x, y] = on_unit_disc(a, b);
-  return center + u * x + v * y;
-}
-
 Window window_on(const Target& target, Vec3 direction) {
   const SurfaceFrame frame = surface_frame(direction);
   const Window disc{target.bound.center, frame.u * target.bound.radius, frame.v * target.bound.radius, true};

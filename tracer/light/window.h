@@ -1,6 +1,7 @@
 #pragma once
 /// The window that parallel light must pass to reach a target.
 
+#include "light/sampling.h"
 #include "light/target.h"
 
 namespace vitrail {
@@ -10,7 +11,9 @@ struct Window {
   Vec3 center, u, v;
   bool round = true;
   double area() const;
-  Vec3 at(double a, double b) const;  // a, b in (0, 1), uniform over the window
+  Vec3 at(const UnitPoint& point) const {
+    return round ? center + u * point.x + v * point.y : center + u * (2 * point.a - 1) + v * (2 * point.b - 1);
+  }
 };
 
 /// The smaller of the disc around the target's sphere and the rectangle around its box, across `direction`.

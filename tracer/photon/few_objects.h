@@ -3,29 +3,17 @@
 /// the compiler turns into vector instructions. Plain doubles, no exact sums: where two surfaces lie too close together
 /// to tell which is first, it says so and leaves the ray to the general search.
 
-#include <cstdint>
 #include <vector>
 
-#include "geometry/medium_stack.h"
 #include "geometry/primitive.h"
+#include "photon/photon_lanes.h"
 
 namespace vitrail {
 
-/// Rays side by side, and what they meet.
-struct RayLanes {
-  static constexpr int kCapacity = 256;
-  static constexpr std::int64_t kNone = -1;
-
-  int count = 0;
-  alignas(64) double origin_x[kCapacity], origin_y[kCapacity], origin_z[kCapacity];
-  alignas(64) double direction_x[kCapacity], direction_y[kCapacity], direction_z[kCapacity];
-  alignas(64) std::int64_t departed[kCapacity];       // 2 object + (1 if the ray goes on inside it), or kNone
-  alignas(64) std::int64_t departed_face[kCapacity];  // of it
-
-  // The answers: distance of the nearest hit and of the next object's, and 2 object + (1 if the ray enters it).
-  alignas(64) double nearest[kCapacity], next[kCapacity];
-  alignas(64) std::int64_t met[kCapacity];
-  alignas(64) std::int64_t met_face[kCapacity];
+/// Places on a surface, with the outward unit normals there.
+struct SurfaceLanes {
+  static constexpr int kCapacity = RayChunk::kCapacity;
+  alignas(64) std::array<std::array<double, kCapacity>, 3> point, normal;
 };
 
 class FewObjects {
@@ -36,11 +24,12 @@ class FewObjects {
   static bool suit(const Scene& scene);
   explicit FewObjects(const Scene& scene);
 
-  /// Fill in the answers for all rays.
-  void find(RayLanes& lanes) const;
+  /// Fill in the answers for all rays of a chunk.
+  void find(RayChunk& rays) const;
 
-  /// The place and outward normal of a hit.
-  SurfacePoint surface(std::uint32_t object, Vec3 point, std::uint32_t face) const;
+  /// `lanes.point` holds `count` hits of one object to about rounding; bring them onto the surface and find the
+  /// normals.
+  void settle(std::uint32_t object, const std::int32_t* faces, int count, SurfaceLanes& lanes) const;
 
  private:
   struct Item {

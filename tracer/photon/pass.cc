@@ -72,8 +72,7 @@ PhotonMaps make_photon_maps(const Scene& scene, const Intersector& intersector, 
   parallel_blocks(2, threads, [&](std::uint64_t half, unsigned) {
     if (monitor.interrupted()) records[half].clear();
     const double start = thread_cpu_s();
-    maps.half[half] = std::make_unique<PhotonMap>(pass.frame, records[half], scene.settings.gather_radius_m);
-    records[half].clear();
+    maps.half[half] = std::make_unique<PhotonMap>(pass.frame, std::move(records[half]), scene.settings.gather_radius_m);
     sort_cpu_s[half] = thread_cpu_s() - start;
     monitor.advance(1);
   });

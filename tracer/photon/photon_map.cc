@@ -8,6 +8,7 @@ namespace vitrail {
 namespace {
 
 constexpr std::uint32_t kPadding = 16;  // one vector of the kernel
+constexpr int kHeapBits = 8;            // photons are first sorted into 2^8 heaps
 
 // Photons at most R/4 off the tangent plane lie at most sqrt(1 + 1/16) R = 1.0308 R away; 33/32 R covers that with
 // room for rounding. Cells are that wide across rows, and half of it along them, so that runs fit the disc closely.
@@ -24,8 +25,6 @@ std::int64_t cell_of(double metres, double cells_per_m) {
   return static_cast<std::int64_t>(std::floor(std::clamp(metres * cells_per_m, -kLimit, kLimit)));
 }
 
-std::int8_t signed_byte(double component) { return static_cast<std::int8_t>(std::lround(component * 127)); }
-
 // Rows (dj, dk) at most two cells apart must differ by more than a run reaches to both sides, in either direction.
 bool rows_stay_apart(std::uint32_t a, std::uint32_t b, std::uint32_t mask) {
   constexpr std::uint32_t kLongestRun = 2 * (kCellsPerReach + 1) + 1;
@@ -41,15 +40,7 @@ bool rows_stay_apart(std::uint32_t a, std::uint32_t b, std::uint32_t mask) {
 
 }  // namespace
 
-PhotonRecord make_photon(const PhotonFrame& frame, Vec3 position, Vec3 normal_of_arrival, Rgb flux) {
-  const Vec3 p = position - frame.origin;
-  const Vec3 n = normal_of_arrival;
-  return {{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)},
-          {static_cast<float>(flux.r), static_cast<float>(flux.g), static_cast<float>(flux.b)},
-          {signed_byte(n.x), signed_byte(n.y), signed_byte(n.z)}};
-}
-
-PhotonMap::PhotonMap(const PhotonFrame& frame, std::span<const std::vector<PhotonRecord>> blocks, double radius_m,
+PhotonMap::PhotonMap(const PhotonFrame& frame, std::vector<std::vector<PhotonRecord>> blocks, double radius_m,
                      GatherWidth width)
     : frame_(frame),
       radius_m_(radius_m),
@@ -63,7 +54,7 @@ PhotonMap::PhotonMap(const PhotonFrame& frame, std::span<const std::vector<Photo
 }
 
 // Take a dense grid where the photons fill a compact box, and scattered rows where they do not.
-void PhotonMap::choose_lattice(std::span<const std::vector<PhotonRecord>> blocks) {
+void PhotonMap::choose_lattice(const std::vector<std::vector<PhotonRecord>>& blocks) {
   std::array<float, 3> low, high;
   low.fill(std::numeric_limits<float>::infinity());
   high.fill(-std::numeric_limits<float>::infinity());
@@ -107,40 +98,73 @@ std::uint32_t PhotonMap::row_of(std::int64_t j, std::int64_t k) const {
   return static_cast<std::uint32_t>(j) * stride_j_ + static_cast<std::uint32_t>(k) * stride_k_;
 }
 
-// Counting sort: count each bucket, sum up, and move every photon to its place. Stable, so the order is that of
-// emission.
-void PhotonMap::sort_into_cells(std::span<const std::vector<PhotonRecord>> blocks) {
-  start_.assign(static_cast<std::size_t>(mask_) + 3, 0);
-  std::vector<std::uint32_t> bucket(size_);
+std::uint32_t PhotonMap::bucket_of(const PhotonRecord& photon) const {
+  const std::int64_t i = cell_of(photon.position[axis_[0]], cells_per_m_);
+  const std::int64_t j = cell_of(photon.position[axis_[1]], rows_per_m_);
+  const std::int64_t k = cell_of(photon.position[axis_[2]], rows_per_m_);
+  return (static_cast<std::uint32_t>(i) + row_of(j, k)) & mask_;
+}
+
+// Sort in two steps that each stay in the cache: by the leading bits of the bucket into a few hundred heaps, then each
+// heap by counting. Both are stable, so photons of a cell keep the order of emission.
+void PhotonMap::sort_into_cells(std::vector<std::vector<PhotonRecord>>& blocks) {
+  const int low_bits = std::max(0, static_cast<int>(std::bit_width(mask_)) - kHeapBits);
+  const std::size_t heap_count = static_cast<std::size_t>(mask_ >> low_bits) + 1;
+  std::vector<std::uint32_t> heap_start(heap_count + 2, 0), bucket(size_);
   std::size_t next = 0;
   for (const auto& block : blocks) {
     for (const PhotonRecord& photon : block) {
-      const std::int64_t i = cell_of(photon.position[axis_[0]], cells_per_m_);
-      const std::int64_t j = cell_of(photon.position[axis_[1]], rows_per_m_);
-      const std::int64_t k = cell_of(photon.position[axis_[2]], rows_per_m_);
-      const std::uint32_t b = (static_cast<std::uint32_t>(i) + row_of(j, k)) & mask_;
-      bucket[next++] = b;
-      ++start_[b + 2];
+      bucket[next] = bucket_of(photon);
+      ++heap_start[(bucket[next++] >> low_bits) + 2];
     }
   }
-  for (std::size_t b = 2; b < start_.size(); ++b) start_[b] += start_[b - 1];
+  for (std::size_t h = 2; h < heap_start.size(); ++h) heap_start[h] += heap_start[h - 1];
 
+  // Give up each block as soon as it is in the heaps.
+  std::vector<Heaped> heaps(size_);
+  next = 0;
+  for (auto& block : blocks) {
+    for (const PhotonRecord& photon : block) {
+      const std::uint32_t b = bucket[next++];
+      heaps[heap_start[(b >> low_bits) + 1]++] = {photon, b};
+    }
+    std::vector<PhotonRecord>().swap(block);
+  }
+
+  start_.resize(static_cast<std::size_t>(mask_) + 2);
   for (auto& column : position_) column.resize(size_ + kPadding);
   for (auto& column : flux_) column.resize(size_ + kPadding);
   normal_.resize(size_ + kPadding);
-  next = 0;
-  for (const auto& block : blocks) {
-    for (const PhotonRecord& photon : block) {
-      const std::uint32_t place = start_[bucket[next++] + 1]++;
-      for (int a = 0; a < 3; ++a) {
-        position_[a][place] = photon.position[axis_[a]];
-        flux_[a][place] = photon.flux[a];
-      }
-      const auto byte = [&](int a) { return static_cast<std::uint32_t>(static_cast<std::uint8_t>(photon.normal[a])); };
-      normal_[place] = byte(axis_[0]) | byte(axis_[1]) << 8 | byte(axis_[2]) << 16;
-    }
+  for (std::size_t h = 0; h < heap_count; ++h) {
+    sort_heap({heaps.data() + heap_start[h], heaps.data() + heap_start[h + 1]}, heap_start[h],
+              static_cast<std::uint32_t>(h) << low_bits, std::uint32_t{1} << low_bits);
   }
-  start_.pop_back();
+  start_.back() = static_cast<std::uint32_t>(size_);
+}
+
+// Counting sort of the buckets first .. first + count into the columns from `place` on.
+void PhotonMap::sort_heap(std::span<const Heaped> heap, std::uint32_t place, std::uint32_t first, std::uint32_t count) {
+  std::uint32_t* const start = start_.data() + first;
+  std::fill(start, start + count, 0);
+  for (const Heaped& h : heap) ++start[h.bucket - first];
+  for (std::uint32_t b = 0; b < count; ++b) {
+    const std::uint32_t photons = start[b];
+    start[b] = place;
+    place += photons;
+  }
+  for (const Heaped& h : heap) {
+    const std::uint32_t to = start[h.bucket - first]++;
+    for (int a = 0; a < 3; ++a) {
+      position_[a][to] = h.photon.position[axis_[a]];
+      flux_[a][to] = h.photon.flux[a];
+    }
+    const auto byte = [&](int a) { return static_cast<std::uint32_t>(static_cast<std::uint8_t>(h.photon.normal[a])); };
+    normal_[to] = byte(axis_[0]) | byte(axis_[1]) << 8 | byte(axis_[2]) << 16;
+  }
+
+  // Each start has moved to the end of its bucket, which is the start of the next: move them back by one.
+  for (std::uint32_t b = count; b-- > 1;) start[b] = start[b - 1];
+  if (count > 0) start[0] = place - static_cast<std::uint32_t>(heap.size());
 }
 
 // Collect the occupied runs of the nine rows around a point, each cut to the chord of the sphere that the disc lies in.
@@ -205,7 +229,7 @@ Rgb PhotonMap::irradiance(const GatherQuery& query) const {
 }
 
 std::size_t PhotonMap::predicted_bytes(std::size_t count) {
-  const std::size_t columns = 7 * sizeof(float) * (count + kPadding);
+  const std::size_t columns = 7 * sizeof(float) * (count + kPadding) + sizeof(Heaped) * count;
   const std::size_t table = sizeof(std::uint32_t) * std::max<std::size_t>(131072, 8 * count);
   return columns + table + sizeof(std::uint32_t) * count;
 }

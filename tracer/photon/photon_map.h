@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -31,7 +32,13 @@ struct PhotonFrame {
   Vec3 origin;
 };
 
-PhotonRecord make_photon(const PhotonFrame& frame, Vec3 position, Vec3 normal_of_arrival, Rgb flux);
+inline PhotonRecord make_photon(const PhotonFrame& frame, Vec3 position, Vec3 normal_of_arrival, Rgb flux) {
+  const Vec3 p = position - frame.origin, n = normal_of_arrival;
+  const auto byte = [](double c) { return static_cast<std::int8_t>(c * 127 + std::copysign(0.5, c)); };
+  return {{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)},
+          {static_cast<float>(flux.r), static_cast<float>(flux.g), static_cast<float>(flux.b)},
+          {byte(n.x), byte(n.y), byte(n.z)}};
+}
 
 /// A place where the camera asks for the light that photons bring. 48 bytes.
 struct GatherQuery {
@@ -41,8 +48,8 @@ struct GatherQuery {
 
 class PhotonMap {
  public:
-  /// Sort the photons of all blocks, in block order, into cells for discs of radius `radius_m`.
-  PhotonMap(const PhotonFrame& frame, std::span<const std::vector<PhotonRecord>> blocks, double radius_m,
+  /// Take the photons of all blocks, in block order, and sort them into cells for discs of radius `radius_m`.
+  PhotonMap(const PhotonFrame& frame, std::vector<std::vector<PhotonRecord>> blocks, double radius_m,
             GatherWidth width = GatherWidth::widest);
 
   /// Irradiance per channel, W/m2: the flux inside the disc of radius R on the tangent plane over pi R^2. Photons
@@ -59,8 +66,15 @@ class PhotonMap {
  private:
   std::uint32_t row_of(std::int64_t j, std::int64_t k) const;
   int collect_runs(const float (&center)[3], PhotonRun* runs) const;
-  void choose_lattice(std::span<const std::vector<PhotonRecord>> blocks);
-  void sort_into_cells(std::span<const std::vector<PhotonRecord>> blocks);
+  /// A photon on its way into its cell.
+  struct Heaped {
+    PhotonRecord photon;
+    std::uint32_t bucket;
+  };
+  std::uint32_t bucket_of(const PhotonRecord& photon) const;
+  void choose_lattice(const std::vector<std::vector<PhotonRecord>>& blocks);
+  void sort_into_cells(std::vector<std::vector<PhotonRecord>>& blocks);
+  void sort_heap(std::span<const Heaped> heap, std::uint32_t place, std::uint32_t first, std::uint32_t count);
 
   PhotonFrame frame_;
   double radius_m_;

@@ -3,22 +3,24 @@
 #include <algorithm>
 
 #include "optics/absorption.h"
-#include "optics/fresnel.h"
-#include "optics/refract.h"
 
 namespace vitrail {
 namespace {
 
-// Two surfaces this close together, relative to the coordinates, are left to the exact search.
-constexpr double kTooClose = 0x1p-30;
+// Photons under way at once: enough to fill the vectors, few enough to stay in the cache.
+constexpr std::size_t kAtOnce = 512;
 
 bool is_smooth(const Material& material) { return std::holds_alternative<NoRoughness>(material.roughness); }
+
+bool is_sheet(const Shape& shape) {
+  return std::holds_alternative<RectangleShape>(shape) || std::holds_alternative<DiscShape>(shape);
+}
 
 }  // namespace
 
 bool PhotonWave::suits(const Scene& scene) {
   const bool smooth = std::all_of(scene.materials.begin(), scene.materials.end(), is_smooth);
-  return smooth && FewObjects::suit(scene);
+  return smooth && !scene.paper.refraction_literal && FewObjects::suit(scene);
 }
 
 PhotonWave::PhotonWave(const PhotonPass& pass, std::uint32_t target, PhotonBlock& block)
@@ -27,194 +29,275 @@ PhotonWave::PhotonWave(const PhotonPass& pass, std::uint32_t target, PhotonBlock
       target_(target),
       block_(block),
       objects_(pass.scene),
-      tree_(pass, target, block) {
+      tree_(pass, target, block),
+      met_(2 * pass.scene.objects.size()),
+      rays_(std::make_unique<RayChunk>()),
+      group_(std::make_unique<Group>()),
+      bend_(std::make_unique<BendLanes>()) {
   for (std::uint32_t i = 0; i < scene_.objects.size(); ++i) {
-    const Object& object = scene_.objects[i];
     const Material& material = scene_.material_of(i);
-    Face face;
-    face.transmits = material.transmits();
-    face.is_sheet =
-        std::holds_alternative<RectangleShape>(object.shape) || std::holds_alternative<DiscShape>(object.shape);
-    face.stores = can_be_diffuse(material);
-    face.disperses = tells_bands_apart(scene_, i);
-    face.absorbs = !is_black(material.absorption_per_m);
-    face.priority = object.priority;
-    face.material = &material;
-    faces_.push_back(face);
+    faces_.push_back({&material, material.reflection + material.transmission, material.transmits(),
+                      !is_black(material.reflection), is_sheet(scene_.objects[i].shape), can_be_diffuse(material),
+                      tells_bands_apart(scene_, i), !is_black(material.absorption_per_m), scene_.objects[i].priority});
+    anything_absorbs_ = anything_absorbs_ || faces_.back().absorbs;
   }
 }
 
 void PhotonWave::add(const Ray& ray, const MediumSet& media, Rgb flux) {
-  Traveller photon;
-  photon.ray = ray;
-  photon.flux = flux;
-  photon.least = kLeastPhotonShare * largest_channel(flux);
+  const double least = kLeastPhotonShare * largest_channel(flux);
   if (media.size() > 1) {
-    Flight flight{ray, {}, media, flux, photon.least};
-    tree_.follow(flight);
+    tree_.follow({ray, {}, media, flux, least});
     return;
   }
-  if (media.size() == 1) photon.medium = media[0];
-  pending_.push_back(photon);
-  if (pending_.size() >= RayLanes::kCapacity) step();
+  PhotonState state;
+  if (media.size() == 1) state.medium = static_cast<std::int32_t>(media[0]);
+  now_.add(ray.origin, ray.direction, flux, least, kNoObject, state);
+  if (now_.size() >= kAtOnce) finish();
 }
 
+// Let all photons under way have one event, then all their branches, and so on until none is left.
 void PhotonWave::finish() {
-  while (!pending_.empty()) step();
+  while (now_.size() > 0) {
+    next_.clear();
+    for (std::size_t first = 0; first < now_.size(); first += RayChunk::kCapacity) {
+      step(first, std::min<std::size_t>(RayChunk::kCapacity, now_.size() - first));
+    }
+    std::swap(now_, next_);
+  }
 }
 
-// Take the latest photons, find what they meet, and let each arrive; branches join the photons that wait.
-void PhotonWave::step() {
-  const std::size_t count = std::min<std::size_t>(RayLanes::kCapacity, pending_.size());
-  at_hand_.assign(pending_.end() - static_cast<std::ptrdiff_t>(count), pending_.end());
-  pending_.resize(pending_.size() - count);
-  lanes_.count = static_cast<int>(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const Traveller& photon = at_hand_[i];
-    lanes_.origin_x[i] = photon.ray.origin.x;
-    lanes_.origin_y[i] = photon.ray.origin.y;
-    lanes_.origin_z[i] = photon.ray.origin.z;
-    lanes_.direction_x[i] = photon.ray.direction.x;
-    lanes_.direction_y[i] = photon.ray.direction.y;
-    lanes_.direction_z[i] = photon.ray.direction.z;
-    lanes_.departed[i] = photon.departed;
-    lanes_.departed_face[i] = photon.departed_face;
+// Find what the photons meet, and sort them by it.
+void PhotonWave::step(std::size_t first, std::size_t count) {
+  RayChunk& rays = *rays_;
+  rays.count = static_cast<int>(count);
+  for (int a = 0; a < 3; ++a) {
+    rays.origin[a] = now_.origin(a) + first;
+    rays.direction[a] = now_.direction(a) + first;
   }
-  objects_.find(lanes_);
-  for (std::size_t i = 0; i < count; ++i) arrive(at_hand_[i], static_cast<int>(i));
+  rays.departed = now_.departed() + first;
+  rays.states = now_.states() + first;
+  objects_.find(rays);
+
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::int64_t met = rays.met[i];
+    if (met < 0) {
+      escape(first + i);
+    } else if (rays.too_close[i] ||
+               !is_plain(now_.state(first + i).medium, static_cast<std::uint32_t>(met >> 1), (met & 1) != 0)) {
+      follow_generally(first + i);
+    } else if (met >> 1 == target_ || now_.state(first + i).has_bounced()) {
+      met_[static_cast<std::size_t>(met)].push_back(static_cast<std::uint16_t>(i));
+    }  // else leave the photon to the chart of what it meets, or to direct light
+  }
+  for (std::size_t met = 0; met < met_.size(); ++met) {
+    if (met_[met].empty()) continue;
+    arrive(static_cast<std::int64_t>(met), met_[met], first);
+    met_[met].clear();
+  }
 }
 
 // In air meeting anything, or inside one glass meeting its own face or something opaque that it does not displace.
-bool PhotonWave::is_plain(const Traveller& photon, std::uint32_t object, bool entering) const {
+bool PhotonWave::is_plain(std::int32_t medium, std::uint32_t object, bool entering) const {
   const Face& face = faces_[object];
-  if (face.transmits) return !face.is_sheet && photon.medium == (entering ? kAir : object);
-  return photon.medium == kAir || faces_[photon.medium].priority <= face.priority;
+  if (face.transmits) return !face.is_sheet && medium == (entering ? kNoObject : static_cast<std::int32_t>(object));
+  return medium == kNoObject || faces_[static_cast<std::size_t>(medium)].priority <= face.priority;
 }
 
-void PhotonWave::arrive(const Traveller& photon, int lane) {
-  const double t = lanes_.nearest[lane];
-  const bool escapes = lanes_.met[lane] == RayLanes::kNone;
-  Meeting meeting;
-  if (!escapes) {
-    meeting.object = static_cast<std::uint32_t>(lanes_.met[lane] >> 1);
-    meeting.entering = (lanes_.met[lane] & 1) != 0;
-    meeting.face = static_cast<std::uint32_t>(lanes_.met_face[lane]);
-    const double window = (largest_coordinate(photon.ray.origin) + t) * kTooClose;
-    if (lanes_.next[lane] - t <= window || !is_plain(photon, meeting.object, meeting.entering)) {
-      follow_generally(photon);
-      return;
-    }
+void PhotonWave::escape(std::size_t lane) {
+  const PhotonState& state = now_.state(lane);
+  if (!state.has_bounced()) return;
+  const Rgb flux = now_.flux(lane);
+  Rgb left = flux;
+  if (state.medium != kNoObject) {
+    const Face& medium = faces_[static_cast<std::size_t>(state.medium)];
+    left *= transmittance(medium.material->absorption_per_m, kInfinity);
   }
-  if (!photon.has_bounced()) {
-    // Leave photons that meet another object to its own chart, or to direct light.
-    if (escapes || meeting.object != target_) return;
-    block_.ledger.emitted += photon.flux;
+  block_.ledger.absorbed += flux - left;
+  block_.ledger.escaped += left;
+}
+
+void PhotonWave::follow_generally(std::size_t lane) {
+  const PhotonState& state = now_.state(lane);
+  const std::int64_t departed = now_.departed()[lane];
+  Flight flight;
+  flight.ray = now_.ray(lane);
+  if (departed >= 0) {
+    flight.departures.push_back({static_cast<std::uint32_t>(departed >> 1),
+                                 static_cast<std::uint32_t>(state.departed_face), (departed & 1) != 0});
+  }
+  if (state.medium != kNoObject) flight.media.enter(static_cast<std::uint32_t>(state.medium));
+  flight.flux = now_.flux(lane);
+  flight.least = now_.least(lane);
+  flight.band_chosen = state.band >= 0;
+  flight.band = flight.band_chosen ? static_cast<std::uint32_t>(state.band) : 0;
+  flight.reflections = state.reflections;
+  flight.transmissions = state.transmissions;
+  tree_.follow(flight);
+}
+
+// Bring the photons of one object and side together, less what the media on their way have kept.
+void PhotonWave::arrive(std::int64_t met, const std::vector<std::uint16_t>& rays, std::size_t first) {
+  Group& group = *group_;
+  group.object = static_cast<std::uint32_t>(met >> 1);
+  group.entering = (met & 1) != 0;
+  group.count = rays.size();
+  const double side = group.entering ? 1 : -1;
+  Rgb emitted;
+  for (std::size_t i = 0; i < group.count; ++i) {
+    const std::size_t ray = rays[i], lane = first + ray;
+    const double t = rays_->nearest[ray];
+    group.lane[i] = static_cast<std::uint32_t>(lane);
+    group.face[i] = rays_->met_face[ray];
+    const PhotonState& state = now_.state(lane);
+    const Vec3 point = now_.ray(lane).at(t);
+    const Rgb flux = now_.flux(lane);
+    group.band[i] = state.band;
+    for (int a = 0; a < 3; ++a) {
+      group.at.point[a][i] = point[a];
+      group.flux[a][i] = flux[a];
+    }
+    if (!state.has_bounced()) emitted += flux;
+    if (!anything_absorbs_ || state.medium == kNoObject) continue;
+    const Material& medium = *faces_[static_cast<std::size_t>(state.medium)].material;
+    const Rgb after = flux * transmittance(medium.absorption_per_m, t);
+    block_.ledger.absorbed += flux - after;
+    for (int a = 0; a < 3; ++a) group.flux[a][i] = after[a];
+  }
+  block_.ledger.emitted += emitted;
+  objects_.settle(group.object, group.face.data(), static_cast<int>(group.count), group.at);
+  for (auto& column : group.at.normal) {
+    for (std::size_t i = 0; i < group.count; ++i) column[i] *= side;
   }
 
-  // Take off what the medium keeps.
-  Rgb flux = photon.flux;
-  if (photon.medium != kAir && faces_[photon.medium].absorbs) {
-    flux *= transmittance(faces_[photon.medium].material->absorption_per_m, t);
-    block_.ledger.absorbed += photon.flux - flux;
+  const Face& face = faces_[group.object];
+  if (!face.mirrors && !face.transmits) {
+    stop(group);
+  } else if (face.disperses) {
+    divide_by_band(group);
+  } else {
+    divide(group);
   }
-  if (escapes) {
-    block_.ledger.escaped += flux;
-    return;
+}
+
+// Nothing goes on from a face that is neither mirror nor glass.
+void PhotonWave::stop(const Group& group) {
+  Rgb stored, absorbed;
+  for (std::size_t i = 0; i < group.count; ++i) {
+    const Rgb flux = group.flux_of(i);
+    if (faces_[group.object].stores && now_.state(group.lane[i]).has_bounced()) {
+      block_.photons.push_back(make_photon(pass_.frame, group.point_of(i), group.normal_of(i), flux));
+      stored += flux;
+    } else {
+      absorbed += flux;
+    }
   }
-  meeting.at = objects_.surface(meeting.object, photon.ray.at(t), meeting.face);
-  const Face& face = faces_[meeting.object];
-  meeting.medium_after = !face.transmits ? photon.medium : meeting.entering ? meeting.object : kAir;
-  meet(photon, meeting, flux);
+  block_.ledger.stored += stored;
+  block_.ledger.absorbed += absorbed;
+}
+
+// Give each band its weight at the first face that tells bands apart; from there on it keeps its own index.
+void PhotonWave::divide_by_band(Group& group) {
+  const auto band = group.band;
+  const auto flux = group.flux;
+  for (std::size_t b = 0; b < scene_.bands.size(); ++b) {
+    const Rgb weight = scene_.bands[b].weight;
+    for (std::size_t i = 0; i < group.count; ++i) {
+      const bool chosen = band[i] >= 0;
+      group.band[i] = static_cast<std::int16_t>(b);
+      const bool takes_part = !chosen || band[i] == group.band[i];
+      for (int c = 0; c < 3; ++c) group.flux[c][i] = takes_part ? flux[c][i] * (chosen ? 1 : weight[c]) : 0;
+    }
+    divide(group);
+  }
 }
 
 // Divide the light as `interact` does for one face between air and one glass, or on something opaque.
-void PhotonWave::meet(const Traveller& photon, const Meeting& meeting, Rgb flux) {
-  const Face& face = faces_[meeting.object];
+void PhotonWave::divide(const Group& group) {
+  const Face& face = faces_[group.object];
   const Material& material = *face.material;
-  Rgb left = flux, mirrored = material.reflection, refracted = material.transmission;
-  const Vec3 normal = meeting.entering ? meeting.at.normal : -meeting.at.normal;
-  Refraction refraction;
-  if (face.transmits || material.fresnel) {
-    const auto band = static_cast<std::size_t>(photon.band);
-    const double n = material.ior_by_band[band], n_minus_one = material.ior_minus_one_by_band[band];
-    IndexPair index{1, n, 0, n_minus_one};
-    if (!meeting.entering && face.transmits) index = {n, 1, n_minus_one, 0};
-    if (!face.transmits && photon.medium != kAir) {
-      const Material& around = *faces_[photon.medium].material;
-      index = {around.ior_by_band[band], n, around.ior_minus_one_by_band[band], n_minus_one};
-    }
-    refraction = scene_.paper.refraction_literal ? refract_literal(photon.ray.direction, normal, index)
-                                                 : refract(photon.ray.direction, normal, index);
-    const Rgb pool = material.reflection + material.transmission;
-    if (face.transmits && refraction.total) {
-      mirrored = scene_.paper.tir_drop ? material.reflection : pool;
-    } else if (material.fresnel) {
-      const FresnelShares shares = fresnel(index, refraction);
-      mirrored = pool * shares.R;
-      refracted = pool * shares.T;
-    }
-  }
-  const bool transmits = face.transmits && !refraction.total && !is_black(refracted);
+  BendLanes& bend = *bend_;
+  bend.count = group.count;
+  bend.normal = group.at.normal;
+  for (std::size_t i = 0; i < group.count; ++i) {
+    const std::size_t lane = group.lane[i];
+    for (int a = 0; a < 3; ++a) bend.direction[a][i] = now_.direction(a)[lane];
 
-  // Give each band its weight at the first face that tells bands apart; from here on it keeps its own index.
-  if (transmits && face.disperses && !photon.band_chosen) {
-    Traveller one = photon;
-    one.band_chosen = true;
-    for (std::size_t band = 0; band < scene_.bands.size(); ++band) {
-      one.band = static_cast<std::int32_t>(band);
-      meet(one, meeting, flux * scene_.bands[band].weight);
+    // The index on the arriving side, and behind the face; an opaque mirror has its own.
+    const std::size_t band = group.band[i] < 0 ? 0 : static_cast<std::size_t>(group.band[i]);
+    double from = 1, from_minus_one = 0;
+    double to = material.ior_by_band[band], to_minus_one = material.ior_minus_one_by_band[band];
+    if (face.transmits && !group.entering) {
+      std::swap(from, to);
+      std::swap(from_minus_one, to_minus_one);
+    } else if (!face.transmits && now_.state(lane).medium != kNoObject) {
+      const Material& around = *faces_[static_cast<std::size_t>(now_.state(lane).medium)].material;
+      from = around.ior_by_band[band];
+      from_minus_one = around.ior_minus_one_by_band[band];
     }
-    return;
+    bend.ior_from[i] = from;
+    bend.ior_to[i] = to;
+    bend.ior_step[i] = to_minus_one - from_minus_one;
   }
-  if (!is_black(mirrored)) {
-    left = left - flux * mirrored;
-    send(photon, meeting, reflect(photon.ray.direction, normal), flux * mirrored, false);
+  refract(bend);
+  if (material.fresnel) find_shares(bend);
+  bool any_total = false;
+  for (std::size_t i = 0; i < bend.count; ++i) any_total = any_total | (bend.radicand[i] < 0);
+  if (face.mirrors || material.fresnel || any_total) mirror(bend);
+
+  for (std::size_t i = 0; i < group.count; ++i) {
+    const Rgb flux = group.flux_of(i);
+    if (is_black(flux)) continue;
+    const bool beyond = bend.radicand[i] < 0, total = face.transmits && beyond;
+    Rgb mirrored = material.reflection, refracted = material.transmission;
+    if (total) {
+      mirrored = scene_.paper.tir_drop ? material.reflection : face.pool;
+    } else if (material.fresnel) {
+      mirrored = face.pool * (beyond ? 1 : bend.share_R[i]);
+      refracted = face.pool * (beyond ? 0 : bend.share_T[i]);
+    }
+    Rgb left = flux;
+    if (!is_black(mirrored)) {
+      const Rgb share = flux * mirrored;
+      left = left - share;
+      send(group, i, bend.mirrored, share, false);
+    }
+    if (face.transmits && !total && !is_black(refracted)) {
+      const Rgb share = flux * refracted;
+      left = left - share;
+      send(group, i, bend.refracted, share, true);
+    }
+    end(group, i, left);
   }
-  if (transmits) {
-    left = left - flux * refracted;
-    send(photon, meeting, refraction.direction, flux * refracted, true);
-  }
-  if (photon.has_bounced() && face.stores) {
-    block_.photons.push_back(make_photon(pass_.frame, meeting.at.point, normal, flux));
+}
+
+// Store what may be seen here, and book what goes no farther.
+void PhotonWave::end(const Group& group, std::size_t i, Rgb left) {
+  if (now_.state(group.lane[i]).has_bounced() && faces_[group.object].stores) {
+    block_.photons.push_back(make_photon(pass_.frame, group.point_of(i), group.normal_of(i), group.flux_of(i)));
     block_.ledger.stored += left;
   } else {
     block_.ledger.absorbed += left;
   }
 }
 
-void PhotonWave::send(const Traveller& from, const Meeting& meeting, Vec3 direction, Rgb flux, bool passes) {
-  const int reflections = from.reflections + !passes, transmissions = from.transmissions + passes;
-  if (reflections > scene_.transport.max_reflections || transmissions > scene_.transport.max_transmissions ||
-      !(largest_channel(flux) >= from.least)) {
+void PhotonWave::send(const Group& group, std::size_t i, const std::array<BendLanes::Column, 3>& direction, Rgb flux,
+                      bool passes) {
+  const std::size_t from = group.lane[i];
+  PhotonState state = now_.state(from);
+  state.reflections = static_cast<std::int16_t>(state.reflections + !passes);
+  state.transmissions = static_cast<std::int16_t>(state.transmissions + passes);
+  const double least = now_.least(from);
+  if (state.reflections > scene_.transport.max_reflections ||
+      state.transmissions > scene_.transport.max_transmissions || !(largest_channel(flux) >= least)) {
     block_.ledger.truncated += flux;
     return;
   }
-  Traveller next = from;
-  next.ray = {meeting.at.point, direction};
-  next.flux = flux;
-  next.departed = 2 * static_cast<std::int64_t>(meeting.object) + (meeting.entering == passes ? 1 : 0);
-  next.departed_face = meeting.face;
-  next.medium = passes ? meeting.medium_after : from.medium;
-  next.reflections = static_cast<std::int16_t>(reflections);
-  next.transmissions = static_cast<std::int16_t>(transmissions);
-  pending_.push_back(next);
-}
-
-void PhotonWave::follow_generally(const Traveller& photon) {
-  Flight flight;
-  flight.ray = photon.ray;
-  if (photon.departed != RayLanes::kNone) {
-    flight.departures.push_back(
-        {static_cast<std::uint32_t>(photon.departed >> 1), photon.departed_face, (photon.departed & 1) != 0});
-  }
-  if (photon.medium != kAir) flight.media.enter(photon.medium);
-  flight.flux = photon.flux;
-  flight.least = photon.least;
-  flight.band = static_cast<std::uint32_t>(photon.band);
-  flight.band_chosen = photon.band_chosen;
-  flight.reflections = photon.reflections;
-  flight.transmissions = photon.transmissions;
-  tree_.follow(flight);
+  const auto object = static_cast<std::int32_t>(group.object);
+  if (passes) state.medium = group.entering ? object : kNoObject;
+  state.departed_face = group.face[i];
+  state.band = group.band[i];
+  const std::int64_t departed = 2 * static_cast<std::int64_t>(object) + (group.entering == passes ? 1 : 0);
+  next_.add(group.point_of(i), {direction[0][i], direction[1][i], direction[2][i]}, flux, least, departed, state);
 }
 
 }  // namespace vitrail

@@ -1,9 +1,11 @@
 #pragma once
 /// The quick way to follow photons: many at once, in scenes of few objects where a photon is in air or in one glass.
-/// What is not that plain - faces that coincide, nested glass, rough glass - goes to the general way, photon by photon.
+/// What is not that plain - faces that coincide, nested glass - goes to the general way, photon by photon.
 
+#include <memory>
 #include <vector>
 
+#include "photon/bend_lanes.h"
 #include "photon/few_objects.h"
 #include "photon/photon_tree.h"
 
@@ -15,57 +17,60 @@ class PhotonWave {
 
   PhotonWave(const PhotonPass& pass, std::uint32_t target, PhotonBlock& block);
 
-  /// Take a photon as it leaves the light.
+  /// Take a photon as it leaves the light, inside no solid or inside `media`.
   void add(const Ray& ray, const MediumSet& media, Rgb flux);
   /// Follow all photons taken, and all their branches, to their ends.
   void finish();
 
  private:
-  // A photon between two events, as far as the quick way goes.
-  struct Traveller {
-    Ray ray;
-    Rgb flux;
-    double least = 0;
-    std::int64_t departed = RayLanes::kNone;
-    std::uint32_t departed_face = 0;
-    std::uint32_t medium = kAir;  // the one solid it is in
-    std::int32_t band = 0;
-    bool band_chosen = false;
-    std::int16_t reflections = 0, transmissions = 0;
-
-    bool has_bounced() const { return reflections + transmissions > 0; }
-  };
-  // What its next event is.
-  struct Meeting {
-    std::uint32_t object = 0, face = 0;
-    bool entering = false;
-    SurfacePoint at;
-    std::uint32_t medium_after = kAir;
-  };
-  // What the shares of light at a face depend on, once for each object.
+  // What happens at the faces of an object.
   struct Face {
-    bool transmits = false, is_sheet = false, stores = false;
-    bool disperses = false, absorbs = false;
-    int priority = 0;
     const Material* material = nullptr;
+    Rgb pool;  // r + t
+    bool transmits = false, mirrors = false, is_sheet = false, stores = false, disperses = false, absorbs = false;
+    int priority = 0;
+  };
+  // Photons at the same side of the same object, side by side.
+  struct Group {
+    std::uint32_t object = 0;
+    bool entering = false;
+    std::size_t count = 0;
+    std::array<std::uint32_t, RayChunk::kCapacity> lane;  // in `now_`
+    std::array<std::int32_t, RayChunk::kCapacity> face;
+    std::array<std::int16_t, RayChunk::kCapacity> band;                       // -1: not yet chosen
+    alignas(64) std::array<std::array<double, RayChunk::kCapacity>, 3> flux;  // what arrives
+    SurfaceLanes at;                                                          // with the normal against the photon
+
+    Rgb flux_of(std::size_t i) const { return {flux[0][i], flux[1][i], flux[2][i]}; }
+    Vec3 point_of(std::size_t i) const { return {at.point[0][i], at.point[1][i], at.point[2][i]}; }
+    Vec3 normal_of(std::size_t i) const { return {at.normal[0][i], at.normal[1][i], at.normal[2][i]}; }
   };
 
-  void step();
-  void arrive(const Traveller& photon, int lane);
-  bool is_plain(const Traveller& photon, std::uint32_t object, bool entering) const;
-  void meet(const Traveller& photon, const Meeting& meeting, Rgb flux);
-  void send(const Traveller& from, const Meeting& meeting, Vec3 direction, Rgb flux, bool passes);
-  void follow_generally(const Traveller& photon);
+  void step(std::size_t first, std::size_t count);
+  bool is_plain(std::int32_t medium, std::uint32_t object, bool entering) const;
+  void escape(std::size_t lane);
+  void follow_generally(std::size_t lane);
+  void arrive(std::int64_t met, const std::vector<std::uint16_t>& rays, std::size_t first);
+  void stop(const Group& group);
+  void divide_by_band(Group& group);
+  void divide(const Group& group);
+  void end(const Group& group, std::size_t i, Rgb left);
+  void send(const Group& group, std::size_t i, const std::array<BendLanes::Column, 3>& direction, Rgb flux,
+            bool passes);
 
   const PhotonPass& pass_;
   const Scene& scene_;
-  std::uint32_t target_;
+  std::int64_t target_;
   PhotonBlock& block_;
   FewObjects objects_;
   PhotonTree tree_;
   std::vector<Face> faces_;
-  std::vector<Traveller> pending_, at_hand_;
-  RayLanes lanes_;
+  bool anything_absorbs_ = false;
+  PhotonLanes now_, next_;
+  std::vector<std::vector<std::uint16_t>> met_;  // by 2 object + entering: rays of the chunk
+  std::unique_ptr<RayChunk> rays_;
+  std::unique_ptr<Group> group_;
+  std::unique_ptr<BendLanes> bend_;
 };
 
 }  // namespace vitrail

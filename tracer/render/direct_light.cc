@@ -12,7 +12,8 @@ DirectLight direct_light(const Scene& scene, const Intersector& intersector, Vec
     Rgb sum;
     for (int s = 0; s < samples; ++s) {
       const auto index = draw.sample * static_cast<std::uint32_t>(samples) + static_cast<std::uint32_t>(s);
-      const Illumination from = illuminate(light, point, normal, sobol_2d(stream, index));
+      const auto u = sobol_2d(stream, index);
+      const Illumination from = illuminate(light, point, normal, unit_point(u[0], u[1]));
       const double cosine = dot(from.toward, normal);
       if (!(cosine > 0) || is_black(from.irradiance)) continue;
       if (scene.plan.shadow) {

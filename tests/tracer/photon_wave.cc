@@ -1,0 +1,137 @@
+/// The quick ways against the plain ones: many photons at once against one by one, vector formulas against optics.
+
+#include "photon/photon_wave.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "build_scene.h"
+#include "optics/fresnel.h"
+#include "optics/refract.h"
+
+namespace vitrail {
+namespace {
+
+TEST(BendLanes, AgreeWithOpticsRayByRay) {
+  TestNumbers numbers;
+  auto lanes = std::make_unique<BendLanes>();
+  lanes->count = BendLanes::kCapacity;
+  std::vector<IndexPair> index(lanes->count);
+  std::vector<Vec3> direction(lanes->count), normal(lanes->count);
+  for (std::size_t i = 0; i < lanes->count; ++i) {
+    normal[i] = numbers.direction();
+    direction[i] = numbers.direction();
+    if (dot(normal[i], direction[i]) > 0) normal[i] = -normal[i];
+    // Every eighth pair is matched, every eighth nearly so, the others between 1/3 and 3.
+    const double n1 = numbers.between(1, 3), n2 = i % 8 == 0 ? n1 : i % 8 == 1 ? n1 + 1e-12 : numbers.between(1, 3);
+    index[i] = {n1, n2, n1 - 1, n2 - 1};
+    for (int a = 0; a < 3; ++a) {
+      lanes->direction[a][i] = direction[i][a];
+      lanes->normal[a][i] = normal[i][a];
+    }
+    lanes->ior_from[i] = n1;
+    lanes->ior_to[i] = n2;
+    lanes->ior_step[i] = index[i].step();
+  }
+  refract(*lanes);
+  find_shares(*lanes);
+  mirror(*lanes);
+  int total = 0;
+  for (std::size_t i = 0; i < lanes->count; ++i) {
+    // The same operations in another order of division: a few units in the last place of a unit vector.
+    const Refraction expected = refract(direction[i], normal[i], index[i]);
+    const Vec3 mirrored{lanes->mirrored[0][i], lanes->mirrored[1][i], lanes->mirrored[2][i]};
+    EXPECT_LT(length(mirrored - reflect(direction[i], normal[i])), 1e-15);
+    EXPECT_EQ(lanes->radicand[i] < 0, expected.total);
+    total += expected.total;
+    if (expected.total) continue;
+    const Vec3 refracted{lanes->refracted[0][i], lanes->refracted[1][i], lanes->refracted[2][i]};
+    EXPECT_LT(length(refracted - expected.direction), 1e-15);
+    const FresnelShares shares = fresnel(index[i], expected);
+    EXPECT_NEAR(lanes->share_R[i], shares.R, 4e-16 * shares.R);
+    EXPECT_NEAR(lanes->share_T[i], shares.T, 4e-16 * shares.T);
+  }
+  EXPECT_GT(total, 10);
+}
+
+void expect_the_same_light(const Scene& scene) {
+  const Intersector intersector(scene);
+  const Targets targets = find_targets(scene, intersector);
+  const PhotonPass pass{scene, intersector, {targets.surroundings.center}};
+  for (const Chart& chart : make_charts(scene, targets, 4000)) {
+    const Stream stream = stream_of(1, Purpose::kEmissionPosition);
+    const PhotonBlock quick = trace_photons(pass, chart, stream, 0, chart.count);
+    const PhotonBlock plain = trace_photons(pass, chart, stream, 0, chart.count, PhotonWay::one_by_one);
+    ASSERT_EQ(quick.photons.size(), plain.photons.size());
+    for (int c = 0; c < 3; ++c) {
+      // Both ways round each step differently, and 4000 photons are summed.
+      const double size = 1e-12 * plain.ledger.emitted[c];
+      EXPECT_NEAR(quick.ledger.emitted[c], plain.ledger.emitted[c], size);
+      EXPECT_NEAR(quick.ledger.stored[c], plain.ledger.stored[c], size);
+      EXPECT_NEAR(quick.ledger.absorbed[c], plain.ledger.absorbed[c], size);
+      EXPECT_NEAR(quick.ledger.escaped[c], plain.ledger.escaped[c], size);
+      EXPECT_NEAR(quick.ledger.truncated[c], plain.ledger.truncated[c], size);
+    }
+    EXPECT_LT(quick.ledger.closure(), 1e-12);
+  }
+}
+
+SceneBuilder floor_and_sun() {
+  SceneBuilder builder;
+  builder.add("floor", PlaneShape{{0, 0, 0}, {0, 1, 0}}, builder.add(diffuse(0.8)));
+  builder.scene.lights.push_back({"sun", DirectionalLight{normalise({0.2, -1, 0.1}), {2, 3, 5}, 0}});
+  builder.scene.lights.push_back({"lamp", PointLight{{1, 4, 1}, {1, 2, 3}}});
+  return builder;
+}
+
+TEST(PhotonWave, FollowsABallAsTheGeneralWayDoes) {
+  SceneBuilder builder = floor_and_sun();
+  builder.add("ball", SphereShape{{0, 2, 0}, 1}, builder.add(glass(1.5, {0.9, 0.8, 0.7}, true)));
+  ASSERT_TRUE(PhotonWave::suits(builder.scene));
+  expect_the_same_light(builder.scene);
+}
+
+TEST(PhotonWave, FollowsMixedShapesAsTheGeneralWayDoes) {
+  SceneBuilder builder = floor_and_sun();
+  Material amber = glass(1.6, {0.5, 0.4, 0.1}, true);
+  amber.reflection = {0.3, 0.2, 0.1};
+  amber.diffuse = Rgb{0.1, 0.2, 0.5};
+  amber.absorption_per_m = {0.1, 1, 5};
+  const auto amber_id = builder.add(amber);
+  builder.add("box", BoxShape{{-1, 0.5, -1}, {0, 1.5, 0}, turned()}, amber_id);
+  builder.add("prism", PrismShape{{{1, 1}, {2, 1}, {1.5, 2}}, 1, {}}, amber_id);
+  Material mirror = diffuse(0.2);
+  mirror.reflection = {0.7, 0.6, 0.5};
+  const auto mirror_id = builder.add(mirror);
+  builder.add("mirror", RectangleShape{{0, 1.2, 2}, {1, 0, 0}, {0, 1, 0.3}}, mirror_id);
+  builder.add("disc", DiscShape{{0, 3, 0}, {0, 1, 0}, 0.5}, mirror_id);
+  expect_the_same_light(builder.scene);
+}
+
+/// A bubble in a block, a ball on the floor, opaque things in glass: what the quick way hands over.
+TEST(PhotonWave, HandsOverWhatIsNotPlain) {
+  SceneBuilder builder = floor_and_sun();
+  const auto clear = builder.add(glass(1.5, {1, 1, 1}, true));
+  builder.add("block", BoxShape{{-1, 0, -1}, {1, 2, 1}, {}}, clear);
+  builder.add("bubble", SphereShape{{0, 1, 0}, 0.5}, builder.add(glass(1.2)), 1);
+  builder.add("stone", SphereShape{{0.7, 0.3, 0.7}, 0.2}, 0);
+  expect_the_same_light(builder.scene);
+}
+
+TEST(PhotonWave, SplitsBandsAsTheGeneralWayDoes) {
+  SceneBuilder builder = floor_and_sun();
+  builder.scene.bands = {{"red", {0.5, 0, 0}, {}}, {"yellow", {0.5, 0.5, 0}, {}}, {"blue", {0, 0.5, 1}, {}}};
+  builder.scene.materials[0].ior_by_band = {1, 1, 1};
+  builder.scene.materials[0].ior_minus_one_by_band = {0, 0, 0};
+  Material flint = glass(1.6, {0.9, 0.9, 0.9}, true);
+  flint.ior_by_band = {1.6, 1.632, 1.664};
+  flint.ior_minus_one_by_band = {0.6, 0.632, 0.664};
+  const auto flint_id = builder.add(flint);
+  builder.add("ball", SphereShape{{0, 2, 0}, 1}, flint_id);
+  builder.add("second", SphereShape{{2.2, 1, 0}, 0.8}, flint_id);
+  expect_the_same_light(builder.scene);
+}
+
+}  // namespace
+}  // namespace vitrail

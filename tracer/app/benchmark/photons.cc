@@ -1,0 +1,61 @@
+// How many photons a second the light side emits, traces and stores, one thread.
+#include <benchmark/benchmark.h>
+
+#include "photon/trace.h"
+
+namespace vitrail {
+namespace {
+
+Material material_of(Rgb diffuse, Rgb transmission, double ior, bool fresnel) {
+  Material material;
+  material.diffuse = diffuse;
+  material.transmission = transmission;
+  material.ior_by_band = {ior};
+  material.ior_minus_one_by_band = {ior - 1};
+  material.camera_ior = ior;
+  material.fresnel = fresnel;
+  return material;
+}
+
+// A ball of glass over a floor, under parallel light: the ball lens of the calibration scenes.
+Scene ball_lens(bool fresnel) {
+  Scene scene;
+  scene.bands.push_back({"all", {1, 1, 1}, {}});
+  scene.materials = {material_of({0.8, 0.8, 0.8}, {}, 1, false), material_of({}, {1, 1, 1}, 1.5, fresnel)};
+  scene.objects = {{"floor", 0, 0, PlaneShape{{0, 0, 0}, {0, 1, 0}}}, {"ball", 1, 0, SphereShape{{0, 2, 0}, 1}}};
+  scene.lights = {{"sun", DirectionalLight{{0, -1, 0}, {1, 1, 1}, 0}}};
+  return scene;
+}
+
+void trace_ball(benchmark::State& state, bool fresnel, PhotonWay way) {
+  const Scene scene = ball_lens(fresnel);
+  const Intersector intersector(scene);
+  const Targets targets = find_targets(scene, intersector);
+  constexpr std::uint64_t kBlock = 8192;
+  const std::vector<Chart> charts = make_charts(scene, targets, 1 << 20);
+  const PhotonPass pass{scene, intersector, {targets.surroundings.center}};
+  std::uint64_t block = 0;
+  for (auto _ : state) {
+    const Stream stream = stream_of(1, Purpose::kEmissionPosition);
+    benchmark::DoNotOptimize(trace_photons(pass, charts[0], stream, (block++ % 128) * kBlock, kBlock, way));
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(kBlock));
+}
+
+void BM_PhotonsThroughABall(benchmark::State& state) { trace_ball(state, false, PhotonWay::automatic); }
+void BM_PhotonsThroughABallWithFresnel(benchmark::State& state) { trace_ball(state, true, PhotonWay::automatic); }
+void BM_PhotonsThroughABallOneByOne(benchmark::State& state) { trace_ball(state, false, PhotonWay::one_by_one); }
+BENCHMARK(BM_PhotonsThroughABall);
+BENCHMARK(BM_PhotonsThroughABallWithFresnel);
+BENCHMARK(BM_PhotonsThroughABallOneByOne);
+
+void BM_SobolPoints2D(benchmark::State& state) {
+  const Stream stream = stream_of(1, Purpose::kEmissionPosition);
+  std::uint32_t i = 0;
+  for (auto _ : state) benchmark::DoNotOptimize(sobol_2d(stream, i++));
+  state.SetItemsProcessed(state.iterations());
+}
+BENCHMARK(BM_SobolPoints2D);
+
+}  // namespace
+}  // namespace vitrail

@@ -1,0 +1,97 @@
+#pragma once
+/// Photons side by side, a column for each number that loops work on, so that they become vector instructions.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "base/ray.h"
+#include "base/vec3.h"
+
+namespace vitrail {
+
+/// No object: the photon did not depart from any, is in air, or meets nothing.
+inline constexpr std::int32_t kNoObject = -1;
+
+/// What of a photon no vector loop works on.
+struct PhotonState {
+  std::int32_t departed_face = 0;
+  std::int32_t medium = kNoObject;  // the one solid it is in
+  std::int16_t band = -1;           // -1 before the first face that tells bands apart
+  std::int16_t reflections = 0, transmissions = 0;
+
+  bool has_bounced() const { return reflections + transmissions > 0; }
+};
+
+/// Photons between two events, as many as there are.
+class PhotonLanes {
+ public:
+  std::size_t size() const { return size_; }
+  void clear() { size_ = 0; }
+
+  /// `departed`: 2 object + (1 if the ray goes on inside it), or -1. `least`: W; a branch below this is cut off.
+  void add(Vec3 origin, Vec3 direction, Rgb flux, double least, std::int64_t departed, const PhotonState& state) {
+    if (size_ == room_) grow();
+    double* value = values_.data() + size_;
+    for (const double v :
+         {origin.x, origin.y, origin.z, direction.x, direction.y, direction.z, flux.r, flux.g, flux.b, least}) {
+      *value = v;
+      value += room_;
+    }
+    departed_[size_] = departed;
+    states_[size_++] = state;
+  }
+
+  const double* origin(int axis) const { return column(axis); }
+  const double* direction(int axis) const { return column(3 + axis); }
+  const std::int64_t* departed() const { return departed_.data(); }
+  const PhotonState* states() const { return states_.data(); }
+
+  Ray ray(std::size_t i) const {
+    return {{column(0)[i], column(1)[i], column(2)[i]}, {column(3)[i], column(4)[i], column(5)[i]}};
+  }
+  Rgb flux(std::size_t i) const { return {column(6)[i], column(7)[i], column(8)[i]}; }
+  double least(std::size_t i) const { return column(9)[i]; }
+  const PhotonState& state(std::size_t i) const { return states_[i]; }
+
+ private:
+  static constexpr std::size_t kColumns = 10;
+
+  const double* column(int c) const { return values_.data() + static_cast<std::size_t>(c) * room_; }
+
+  void grow() {
+    const std::size_t room = room_ == 0 ? 1024 : 2 * room_;
+    std::vector<double> values(kColumns * room);
+    for (std::size_t c = 0; c < kColumns; ++c) {
+      for (std::size_t i = 0; i < size_; ++i) values[c * room + i] = values_[c * room_ + i];
+    }
+    values_.swap(values);
+    departed_.resize(room);
+    states_.resize(room);
+    room_ = room;
+  }
+
+  std::size_t size_ = 0, room_ = 0;
+  std::vector<double> values_;
+  std::vector<std::int64_t> departed_;
+  std::vector<PhotonState> states_;
+};
+
+/// Some photons of the lanes, and what they meet.
+struct RayChunk {
+  static constexpr int kCapacity = 256;
+
+  // The rays.
+  int count = 0;
+  std::array<const double*, 3> origin, direction;
+  const std::int64_t* departed = nullptr;
+  const PhotonState* states = nullptr;
+
+  // The answers: distance of the nearest hit and of the next object's; 2 object + (1 if the ray enters it), or -1; its
+  // face; and whether the two hits are too close together to tell which is first.
+  alignas(64) std::array<double, kCapacity> nearest, next;
+  alignas(64) std::array<std::int64_t, kCapacity> met, too_close;
+  std::array<std::int32_t, kCapacity> met_face;
+};
+
+}  // namespace vitrail
