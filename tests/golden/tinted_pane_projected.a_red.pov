@@ -2,7 +2,7 @@
 global_settings {
   assumed_gamma 1
   max_trace_level 73
-  adc_bailout 1e-06
+  adc_bailout 0.0001
   photons {
     spacing 0.25
     radius 0.5

@@ -7,7 +7,8 @@ import shutil
 import tempfile
 import threading
 import time
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import Executor, ThreadPoolExecutor
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -80,13 +81,22 @@ class Povray:
         shown = _SharedProgress(progress, lowered)
         with ThreadPoolExecutor(at_once) as pool:
             try:
-                outcomes = list(pool.map(lambda run: self._run(run, lowered, shown), lowered.runs))
+                outcomes = self._outcomes(lowered, shown, pool)
             except BaseException:
                 # Let no other run go on for a result that nobody will see.
                 shown.stop.set()
                 pool.shutdown(cancel_futures=True)
                 raise
         return write_result(out_dir, lowered, outcomes, version, at_once, time.monotonic() - started)
+
+    def _outcomes(self, lowered: PovrayScene, shown: _SharedProgress, pool: Executor) -> list[Outcome]:
+        """Every run; those with the same texts are executed once, because they would give the same bits."""
+        firsts = {_work(run): run for run in reversed(lowered.runs)}
+        found = dict(zip(firsts, pool.map(lambda run: self._run(run, lowered, shown), firsts.values()), strict=True))
+        return [
+            found[_work(run)] if run is firsts[_work(run)] else replace(found[_work(run)], run=run, is_repeated=True)
+            for run in lowered.runs
+        ]
 
     def _run(self, run: PovrayRun, lowered: PovrayScene, shown: _SharedProgress) -> Outcome:
         """One run in a fresh folder: shoot photons and put their map in order, then render with it."""
@@ -170,12 +180,18 @@ class Povray:
             raise EngineFailure(self.name, what, "this is a defect of the plan; report the scene")
 
 
+def _work(run: PovrayRun) -> tuple[object, ...]:
+    """What an execution depends on."""
+    return (run.photon_sdl, run.sdl, run.width, run.height)
+
+
 class _SharedProgress:
     """Adds the progress of runs that go on together, and ends them together."""
 
     def __init__(self, progress: Progress, lowered: PovrayScene) -> None:
         self._progress = progress
-        self._total = float(sum(run.width * run.height for run in lowered.runs))
+        works = {_work(run): run for run in lowered.runs}
+        self._total = float(sum(run.width * run.height for run in works.values()))
         self._done: dict[str, int] = {}
         self.stop = threading.Event()
 

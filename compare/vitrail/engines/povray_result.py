@@ -41,12 +41,13 @@ class PhotonCensus:
 
 @dataclass(frozen=True)
 class Outcome:
-    """One finished run with its image (height, width, 3)."""
+    """One finished run with its image (height, width, 3); a repeated one took it from a run with the same text."""
 
     run: PovrayRun
     image: np.ndarray
     done: Execution
     census: PhotonCensus | None
+    is_repeated: bool = False
 
     @property
     def executions(self) -> list[Execution]:
@@ -97,12 +98,11 @@ def _settings(lowered: PovrayScene, outcomes: list[Outcome]) -> dict[str, Any]:
     """The settings asked for, and what became of them."""
     photons, units = lowered.photons, lowered.normalisation
     across = lowered.runs[0].samples_across
-    halves = len({run.half for run in lowered.runs})
     return {
         **asdict(lowered.settings),
         "mode": lowered.mode.name,
         "mode_reason": lowered.mode.reason,
-        "samples_used": across**2 * halves,
+        "samples_used": across**2,
         "photons_used": sum(each.census.shot.statistics.photons_shot for each in outcomes if each.census),
         "spacing_m": {half: spacing / units.scale for half, spacing in photons.spacing.items()} if photons else {},
         "units_per_metre": units.scale,
@@ -113,9 +113,10 @@ def _settings(lowered: PovrayScene, outcomes: list[Outcome]) -> dict[str, Any]:
 
 def _record(version: str, lowered: PovrayScene, outcomes: list[Outcome], threads: int, wall_s: float) -> dict[str, Any]:
     """The run record of both engines, with what only POV-Ray has in ``runs``, ``certificate`` and ``isolation``."""
-    executions = [execution for outcome in outcomes for execution in outcome.executions]
-    rendered = [outcome.done for outcome in outcomes]
-    shot = [outcome.census.shot for outcome in outcomes if outcome.census]
+    done = [outcome for outcome in outcomes if not outcome.is_repeated]
+    executions = [execution for outcome in done for execution in outcome.executions]
+    rendered = [outcome.done for outcome in done]
+    shot = [outcome.census.shot for outcome in done if outcome.census]
 
     def cpu(phase: str, where: list[Execution]) -> float:
         return math.fsum(execution.statistics.cpu_s[phase] for execution in where)
@@ -136,7 +137,7 @@ def _record(version: str, lowered: PovrayScene, outcomes: list[Outcome], threads
             # POV-Ray times shooting and its own sorting together.
             "photon_pass": cpu("photon", shot),
             "photon_sort": 0.0,
-            "photon_order": math.fsum(outcome.census.order_cpu_s for outcome in outcomes if outcome.census),
+            "photon_order": math.fsum(outcome.census.order_cpu_s for outcome in done if outcome.census),
             # It gathers while it traces.
             "camera": cpu("trace", rendered),
             "gather": 0.0,
@@ -147,7 +148,7 @@ def _record(version: str, lowered: PovrayScene, outcomes: list[Outcome], threads
             "camera_rays": count("rays", rendered),
             "shadow_rays": count("shadow_tests", rendered),
             "photons_emitted": count("photons_shot", shot),
-            "photons_stored": sum(outcome.census.stored for outcome in outcomes if outcome.census),
+            "photons_stored": sum(outcome.census.stored for outcome in done if outcome.census),
             # It counts gathers only where it shoots; where it loads photons, a ray gathers once at most.
             "gather_queries": count("gather_calls", rendered) or (count("rays", rendered) if shot else 0),
         },
@@ -163,6 +164,7 @@ def _run_record(outcome: Outcome) -> dict[str, Any]:
     census = outcome.census
     return {
         "name": outcome.run.name,
+        "is_repeated": outcome.is_repeated,
         "gain": list(outcome.run.gain),
         "statistics": asdict(outcome.done.statistics),
         "photons": None

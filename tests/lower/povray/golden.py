@@ -30,7 +30,7 @@ def emitted(name: str) -> dict[str, str]:
     """File name to text of the first run of each half, with settings of its own."""
     loaded = load(ROOT / SCENES[name])
     plan = analyse(loaded.scene)
-    chosen: dict[str, object] = {"samples": 2, "gather_radius_m": 0.03125}
+    chosen: dict[str, object] = {"samples": 4, "gather_radius_m": 0.03125}
     if settings_for(loaded.scene, plan).photons:
         chosen["photons"] = 100_000
     translated = lower_povray(loaded.scene, plan, settings_for(loaded.scene, plan, **chosen), loaded)

@@ -64,11 +64,11 @@ def scene(
 
 def lowered(loaded: Loaded, **settings: object) -> PovrayScene:
     plan = analyse(loaded.scene)
-    return lower_povray(loaded.scene, plan, settings_for(loaded.scene, plan, **{"samples": 2, **settings}), loaded)
+    return lower_povray(loaded.scene, plan, settings_for(loaded.scene, plan, **{"samples": 1, **settings}), loaded)
 
 
 def rendered(loaded: Loaded, **settings: object) -> Rendered:
-    """The scene through the whole back end; settings default to one sample a pixel and half."""
+    """The scene through the whole back end; settings default to one sample a pixel."""
     translated = lowered(loaded, **settings)
     with TemporaryDirectory() as folder:
         made = Povray().render(translated, Path(folder))

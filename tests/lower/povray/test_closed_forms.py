@@ -36,7 +36,7 @@ def test_a_tilted_rectangle_and_a_turned_box_are_lit_by_their_cosine() -> None:
 
 
 def test_a_point_light_falls_with_the_square_of_the_distance() -> None:
-    card = rendered_file("scenes/calibration/grey_card_point.yaml", samples=8)
+    card = rendered_file("scenes/calibration/grey_card_point.yaml", samples=4)
     view, height = math.tan(math.radians(20)) * 2, 2.0
     rows, columns = card.image.radiance.shape[:2]
     y, x = np.mgrid[0:rows, 0:columns]
@@ -60,7 +60,7 @@ def test_a_tinted_pane_shows_t_squared_to_the_camera() -> None:
 
 def test_a_tinted_pane_projects_t_squared() -> None:
     """With photons on a lattice the mean over the patch is far better than their number suggests."""
-    seen = rendered_file("scenes/calibration/tinted_pane_projected.yaml", photons=300_000, samples=2)
+    seen = rendered_file("scenes/calibration/tinted_pane_projected.yaml", photons=300_000, samples=1)
     assert seen.mean == pytest.approx([0.648, 0.2, 0.032], rel=1e-3)
 
 
@@ -106,7 +106,7 @@ def test_the_ball_lens_has_the_annuli_of_its_closed_form() -> None:
 
 def test_half_images_agree_within_their_own_variance() -> None:
     """The halves are two estimates of one image: their mean difference is zero within its spread."""
-    seen = rendered_file("scenes/calibration/ball_lens.yaml", photons=300_000, samples=2)
+    seen = rendered_file("scenes/calibration/ball_lens.yaml", photons=300_000, samples=1)
     image = seen.image
     assert image.radiance == pytest.approx((image.half_a + image.half_b) / 2, abs=1e-6)
     assert image.variance == pytest.approx((image.half_a - image.half_b) ** 2 / 4, abs=1e-6)

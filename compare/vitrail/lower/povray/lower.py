@@ -1,7 +1,7 @@
 """Back end for POV-Ray: the scene as a set of runs whose weighted images add up to the radiance, and a certificate.
 
-Two half images estimate the noise: they differ in the pattern of photons and in where they sample a pixel. Each half is
-one run, or three (one a channel) where POV-Ray's photons would lose colour.
+Two half images estimate the noise: they differ in the pattern of photons and of the small lights that stand for a lamp.
+Each half is one run, or one a channel where POV-Ray's photons would lose colour, or one a band of light.
 """
 
 from __future__ import annotations
@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from pathlib import Path
 
 from vitrail.lower.povray.camera import HALF_SHIFTS
 from vitrail.lower.povray.certificate import Certificate
@@ -19,6 +20,7 @@ from vitrail.lower.povray.gaps import with_gaps
 from vitrail.lower.povray.indices import Indices
 from vitrail.lower.povray.light_factor import light_factor
 from vitrail.lower.povray.lights import sources
+from vitrail.lower.povray.meshes import meshes_of
 from vitrail.lower.povray.modes import Mode, mode_of
 from vitrail.lower.povray.nesting import needs_media, nesting_of
 from vitrail.lower.povray.normalise import Normalisation, normalise
@@ -35,7 +37,7 @@ from vitrail.scene.load import Loaded
 from vitrail.scene.model import Scene
 from vitrail.scene.print import scene_hash
 
-EMITTERS: dict[Quality, int] = {"draft": 12, "normal": 48, "reference": 192}
+EMITTERS: dict[Quality, int] = {"draft": 12, "normal": 24, "reference": 96}
 """Small lights that stand for one with a surface or a solid angle, in each half image."""
 
 
@@ -87,7 +89,8 @@ def lower_povray(scene: Scene, plan: Plan, settings: Settings, loaded: Loaded | 
     refusals, identity = Refusals(loaded), scene_hash(scene)
     scene = reduced(scene, plan)
     refuse_unsupported(scene, plan, settings, refusals)
-    units = normalise(scene, refusals)
+    meshes = meshes_of(scene, loaded.path.parent if loaded else Path(), refusals)
+    units = normalise(scene, [mesh.bounds for mesh in meshes.values()], refusals)
     mode = mode_of(scene, plan, settings)
     indices = Indices(scene, mode.bands, mode.is_sliced)
     grid = Grid(EMITTERS[settings.quality], settings.seed)
@@ -95,10 +98,10 @@ def lower_povray(scene: Scene, plan: Plan, settings: Settings, loaded: Loaded | 
         "a": sources(scene, units, grid, refusals),
         "b": sources(scene, units, replace(grid, is_mirrored=True), refusals),
     }
-    photons = photon_pass(scene, plan, settings, lights["a"], len(mode.bands), units, refusals)
-    depth, placement = trace_depth(plan), with_gaps(scene, units)
+    photons = photon_pass(scene, plan, settings, lights["a"], len(mode.bands), meshes, units, refusals)
+    depth, placement = trace_depth(plan, settings.quality), with_gaps(scene, units)
     nesting = nesting_of(scene, units)
-    objects = ObjectText(scene, plan, units, photons is not None, indices, needs_media(scene, plan, nesting))
+    objects = ObjectText(scene, plan, units, photons is not None, indices, meshes, needs_media(scene, plan, nesting))
     text = SceneText(scene, plan, units, lights, photons, depth, placement, nesting, objects)
     translation = Translation(scene, plan, mode, units, lights["a"], photons, depth, placement.shrunk, indices, nesting)
     return PovrayScene(
@@ -117,7 +120,7 @@ def lower_povray(scene: Scene, plan: Plan, settings: Settings, loaded: Loaded | 
 
 def _runs(text: SceneText, mode: Mode, settings: Settings) -> Iterator[PovrayRun]:
     """One run a half and exposure."""
-    across = math.ceil(math.sqrt(settings.samples / len(HALF_SHIFTS)))
+    across = math.ceil(math.sqrt(settings.samples))
     image = text.scene.image
     for half in HALF_SHIFTS:
         for shown in mode.exposures:

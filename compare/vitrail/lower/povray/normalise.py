@@ -8,12 +8,12 @@ two, so that no digit is lost: lengths in the scene description are units = (met
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import assert_never
 
 from vitrail.lower.povray.refusal import NotTranslatable, Refusals
-from vitrail.plan.bounds import extent_of
+from vitrail.plan.bounds import Bounds, extent_of, together
 from vitrail.scene.model import Box, Cone, Cylinder, Disc, Lens, Mesh, Plane, Prism, Rectangle, Scene, Shape, Sphere
 from vitrail.scene.vector import Vec, length, scale, subtract
 
@@ -44,9 +44,9 @@ class Normalisation:
         return metres * self.scale
 
 
-def normalise(scene: Scene, refusals: Refusals) -> Normalisation:
+def normalise(scene: Scene, meshes: Sequence[Bounds], refusals: Refusals) -> Normalisation:
     """The normalisation of a scene; raises NotTranslatable where no scale holds its smallest and its largest part."""
-    bounds = extent_of(scene)
+    bounds = together([extent_of(scene), *meshes])
     diameter = 2 * bounds.radius_m
     smallest, thinnest = min(_features(scene), default=(diameter, None))
     factor = _power_of_two_below(LARGEST_EXTENT / diameter)

@@ -7,10 +7,11 @@ from dataclasses import dataclass
 from vitrail.lower.povray.exposure import Exposure, Triplet
 from vitrail.lower.povray.indices import Indices
 from vitrail.lower.povray.materials import texture_sdl
+from vitrail.lower.povray.meshes import Meshes, mesh_parts
 from vitrail.lower.povray.nesting import Cut
 from vitrail.lower.povray.normalise import Normalisation
 from vitrail.lower.povray.sdl import block, rgb
-from vitrail.lower.povray.shapes import primitive
+from vitrail.lower.povray.shapes import Primitive, primitive
 from vitrail.lower.povray.surface import Surface
 from vitrail.plan.plan import Plan
 from vitrail.scene.absorption import absorption_per_m
@@ -28,6 +29,7 @@ class ObjectText:
     units: Normalisation
     has_photons: bool
     indices: Indices
+    meshes: Meshes
     has_media: bool = False
 
     def sdl(
@@ -41,7 +43,7 @@ class ObjectText:
     ) -> str:
         """The object in one run; ``placed`` is its shape, where a gap has been opened already."""
         material = self.scene.material_of(item)
-        shape = primitive(placed, self.units)
+        shape = self._shape(item, placed)
         after = [
             self._texture(material, placed, exposure),
             self._interior(material, exposure, is_shooting, shares_room),
@@ -57,6 +59,11 @@ class ObjectText:
             inner = primitive(cut.placed, self.units)
             parts.append(block(inner.keyword, [*inner.parts, self._texture(look, cut.placed, exposure)]))
         return block("difference", [*parts, *after])
+
+    def _shape(self, item: Object, placed: Placed) -> Primitive:
+        if item.name in self.meshes:
+            return Primitive("mesh2", tuple(mesh_parts(self.meshes[item.name], self.units)))
+        return primitive(placed, self.units)
 
     def _texture(self, material: Material, placed: Placed, exposure: Exposure) -> str:
         return texture_sdl(Surface(material, placed, exposure, self.units, self._has_ambient))

@@ -18,10 +18,10 @@ from dataclasses import dataclass
 
 from vitrail.lower.povray.exposure import Exposure
 from vitrail.lower.povray.lights import Source
+from vitrail.lower.povray.meshes import Meshes, bounds_with
 from vitrail.lower.povray.normalise import Normalisation
 from vitrail.lower.povray.refusal import NotTranslatable, Refusals
 from vitrail.lower.povray.sdl import block, number
-from vitrail.plan.bounds import bounds_of
 from vitrail.plan.budget import Settings
 from vitrail.plan.plan import Plan
 from vitrail.scene.model import Material, Scene
@@ -79,6 +79,7 @@ def photon_pass(
     settings: Settings,
     lights: Sequence[Source],
     bands: int,
+    meshes: Meshes,
     units: Normalisation,
     refusals: Refusals,
 ) -> PhotonPass | None:
@@ -88,7 +89,7 @@ def photon_pass(
     if settings.photons == 0:
         what = "the scene has a caustic, and without photons POV-Ray lets light straight through glass"
         raise NotTranslatable([refusals.at(what, "ask for some photons, for example `photons=100000`", "lights")])
-    balls = _targets(scene, units, refusals)
+    balls = _targets(scene, meshes, units, refusals)
     area = sum(_aimed_area(source, ball) for source in lights for ball in balls)
     # Share the photons of the settings between the two halves and all bands.
     runs = (1 + 1 / SECOND_FLUX) * bands
@@ -101,13 +102,13 @@ def photon_pass(
     )
 
 
-def _targets(scene: Scene, units: Normalisation, refusals: Refusals) -> tuple[Ball, ...]:
+def _targets(scene: Scene, meshes: Meshes, units: Normalisation, refusals: Refusals) -> tuple[Ball, ...]:
     """A ball for each specular object; an infinite one is refused."""
     balls, refused = [], []
     for index, item in enumerate(scene.objects):
         if not scene.material_of(item).is_specular:
             continue
-        bounds = bounds_of(item)
+        bounds = bounds_with(meshes, item)
         if not bounds.is_finite:
             what = f"POV-Ray cannot aim photons at an infinite {item.shape_key}"
             refused.append(refusals.at(what, "use a rectangle, a disc or a box", "objects", index, item.shape_key))

@@ -24,8 +24,6 @@ from vitrail.scene.vector import length
 
 HALF_FLOAT = 4.9e-4
 """Largest relative rounding of an 11-bit mantissa: half a step at its low end [P 6]."""
-ADC_BAILOUT = 1e-6
-"""Path weight below which POV-Ray gives up; the default of 1/255 turns glass black [P 4.3]."""
 
 
 @dataclass(frozen=True)
@@ -141,9 +139,11 @@ def _depth(translation: Translation) -> Iterator[Entry]:
     if not any(material.is_specular for material in scene.materials.values()):
         return
     shown = Phenomenon.REFRACTION if plan.requires(Phenomenon.REFRACTION) else Phenomenon.REFLECTION
-    reason = "branches of a path lighter than this are cut; each level of the path can lose one"
-    levels = max(1, min(depth.level, 16))
-    yield Entry(shown, "path", "every branch", f"weights above {ADC_BAILOUT:g}", ADC_BAILOUT * levels, RELATIVE, reason)
+    kept, reason = (
+        f"weights above {depth.adc_bailout:g}",
+        "each way out of a path loses at most one such branch; two on average",
+    )
+    yield Entry(shown, "path", "every branch", kept, 2 * depth.adc_bailout, RELATIVE, reason)
     if depth.is_proven:
         return
     chain = plan.chain

@@ -15,7 +15,6 @@ from vitrail.lower.povray.nesting import Nesting
 from vitrail.lower.povray.normalise import Normalisation
 from vitrail.lower.povray.objects import ObjectText
 from vitrail.lower.povray.photons import PhotonPass
-from vitrail.lower.povray.residuals import ADC_BAILOUT
 from vitrail.lower.povray.sdl import block, number, rgb
 from vitrail.plan.plan import Plan
 from vitrail.scene.model import Ambient, Scene
@@ -65,7 +64,7 @@ class SceneText:
             [
                 "assumed_gamma 1",
                 f"max_trace_level {self.depth.level}",
-                f"adc_bailout {number(ADC_BAILOUT)}",
+                f"adc_bailout {number(self.depth.adc_bailout)}",
                 self._ambient(exposure),
                 self.photons.sdl(half, photon_file) if self.photons is not None and photon_file else "",
             ],

@@ -53,7 +53,7 @@ def primitive(placed: Placed, normalisation: Normalisation) -> Primitive:
         case Lens():
             return _lens(shape, placed.frame, units)
         case Mesh():
-            raise NotImplementedError("mesh")
+            raise ValueError("a mesh is written from its triangles, see meshes.py")
         case _:
             assert_never(shape)
 

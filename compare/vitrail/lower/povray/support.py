@@ -6,17 +6,13 @@ from vitrail.lower.povray.refusal import NotTranslatable, Refusals
 from vitrail.plan.budget import Settings
 from vitrail.plan.plan import Plan
 from vitrail.scene.diagnostic import Diagnostic
-from vitrail.scene.model import Mesh, Scene
+from vitrail.scene.model import Scene
 from vitrail.scene.phenomenon import Phenomenon
 
 
 def refuse_unsupported(scene: Scene, plan: Plan, settings: Settings, refusals: Refusals) -> None:
     """Raises NotTranslatable with one diagnostic a place."""
     found: list[Diagnostic] = []
-    for index, item in enumerate(scene.objects):
-        if isinstance(item.shape, Mesh):
-            what = f"a {item.shape_key} has no POV-Ray counterpart here yet"
-            found.append(refusals.at(what, "use another shape", "objects", index, item.shape_key))
     for name, material in scene.materials.items():
         if material.is_specular and material.roughness != 0 and plan.requires(Phenomenon.ROUGHNESS):
             what = "roughness has no POV-Ray counterpart here yet"
