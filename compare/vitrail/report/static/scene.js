@@ -7,7 +7,7 @@
   const stage = new VITRAIL.Stage(element, data);
   const by = (id) => document.getElementById(id);
   const views = [...document.querySelectorAll("[data-view]")];
-  const defaults = { view: views[0].dataset.view, stops: data.stops, divider: 0.5, zoom: 1, x: data.width / 2, y: data.height / 2 };
+  const defaults = { against: data.sides[1], view: views[0].dataset.view, stops: data.stops, divider: 0.5, zoom: 1, x: data.width / 2, y: data.height / 2 };
   const set = (changes) => VITRAIL.set(changes, defaults);
   const number = (key) => {
     const value = Number(VITRAIL.get(key, defaults[key]));
@@ -23,8 +23,10 @@
     const wanted = VITRAIL.get("view", defaults.view);
     const view = views.some((button) => button.dataset.view === wanted) ? wanted : defaults.view;
     const stops = isError(view) ? Number(VITRAIL.get("scale", 0)) : number("stops");
+    const against = VITRAIL.get("against");
+    const pair = [data.sides[0], data.sides.includes(against) ? against : (data.sides[1] ?? data.sides[0])];
     const look = {
-      view, stops, divider: number("divider"), falseColour: isOn("colour"), second: isOn("second"),
+      view, pair, stops, divider: number("divider"), falseColour: isOn("colour"), second: isOn("second"),
       outlines: isOn("outlines"), patch: VITRAIL.get("patch"), layer: VITRAIL.get("layer"),
     };
     if (look.layer) data.sides.forEach((side) => VITRAIL.load(data.layers[`${side}.${look.layer}`]));
@@ -51,6 +53,7 @@
     by("false-colour").setAttribute("aria-pressed", String(look.falseColour));
     by("outlines").checked = look.outlines;
     if (by("layer")) by("layer").value = look.layer;
+    if (by("against")) by("against").value = look.pair[1];
     by("zoom-value").textContent = `${Math.round(stage.zoom * 100)} %`;
     by("slider").hidden = look.view !== "slider";
     by("slider").value = look.divider;
@@ -174,6 +177,7 @@
   by("slider").addEventListener("input", () => set({ divider: by("slider").value }));
   by("false-colour").addEventListener("click", () => toggle("colour"));
   by("outlines").addEventListener("change", () => toggle("outlines"));
+  by("against")?.addEventListener("change", () => set({ against: by("against").value }));
   by("layer")?.addEventListener("change", () => set({ layer: by("layer").value }));
   by("zoom-in").addEventListener("click", () => zoom(1.5));
   by("zoom-out").addEventListener("click", () => zoom(1 / 1.5));

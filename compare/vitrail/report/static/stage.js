@@ -63,7 +63,7 @@ VITRAIL.Stage = class {
 
   /* Signed relative difference (a - b) / (|a| + |b|) * 2 of the mean channel; the exposure narrows the scale. */
   fillDifference(out) {
-    const [a, b] = this.data.sides.map((side) => VITRAIL.image(this.name(side)));
+    const [a, b] = this.look.pair.map((side) => VITRAIL.image(this.name(side)));
     if (!a || !b) return false;
     const gain = 2 ** this.look.stops / 0.2;
     for (let i = 0, at = 0; at < out.length; i += 3, at += 4) {
@@ -89,7 +89,7 @@ VITRAIL.Stage = class {
 
   /* Which pictures lie on which panes in this view: [key, caption]. */
   layout() {
-    const [a, b = a] = this.data.sides;
+    const [a, b] = this.look.pair;
     const named = (side) => [side, this.data.names[side]];
     switch (this.look.view) {
       case "flip": return [[named(this.look.second ? b : a)], []];
