@@ -29,7 +29,7 @@ def engine_record(record: Mapping[str, Any]) -> EngineRun:
     for both engines the gather rate is over camera and gather together.
     """
     cpu, counters = record.get("cpu_s", {}), record.get("counters", {})
-    photon_cpu_s = _sum(cpu, ("photon_pass", "photon_sort"))
+    photon_cpu_s = _sum(cpu, ("photon_pass",))
     camera_cpu_s = _sum(cpu, ("camera", "gather"))
     emitted = counters.get("photons_emitted") or None
     stored = counters.get("photons_stored") or None
@@ -57,7 +57,7 @@ def speed_records(engines: Sequence[EngineRun]) -> tuple[Speed, ...]:
     if tracer is None or povray is None:
         return ()
     phases = (
-        ("photon pass", "photons_per_cpu_s", "photons stored per CPU second (emit, trace, store, sort)"),
+        ("photon pass", "photons_per_cpu_s", "photons stored per CPU second (emit, trace, store; POV-Ray's own sorting is in its time)"),
         ("gather", "gathers_per_cpu_s", "gathers per CPU second (camera rays and gathering)"),
     )
     found = []
