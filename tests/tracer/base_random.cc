@@ -55,6 +55,30 @@ TEST(Sobol, IntegratesASmoothFunctionInFourDimensions) {
   EXPECT_NEAR(sum / 65536, 1.0, 5e-5);
 }
 
+// Points of one index from two streams, joined, must fill the square: the padded ones do, plain ones lie on few
+// diagonals.
+TEST(Padding, JoinsStreamsWithoutCorrelation) {
+  const Stream first = stream_of(1, Purpose::kPixel), second = within(first, 7);
+  std::set<int> padded, plain;
+  for (std::uint32_t i = 0; i < 4096; ++i) {
+    const auto a = sobol_2d(first, i), b = padded_2d(second, i), c = sobol_2d(second, i);
+    padded.insert(static_cast<int>(a[0] * 32) * 32 + static_cast<int>(b[0] * 32));
+    plain.insert(static_cast<int>(a[0] * 32) * 32 + static_cast<int>(c[0] * 32));
+  }
+  EXPECT_GT(padded.size(), 980u);  // of 1024 cells with four points each; random points leave 19 empty
+  EXPECT_LT(plain.size(), 100u);
+}
+
+TEST(Padding, KeepsEveryAlignedBlockANet) {
+  const Stream stream = stream_of(3, Purpose::kLightSample);
+  std::set<int> cells;
+  for (std::uint32_t i = 512; i < 768; ++i) {
+    const auto p = padded_2d(stream, i);
+    cells.insert(static_cast<int>(p[0] * 16) * 16 + static_cast<int>(p[1] * 16));
+  }
+  EXPECT_EQ(cells.size(), 256u);
+}
+
 // Two scramblings are two independent estimates: their errors must not be correlated, or half-images would lie about
 // the noise. The correlation of 256 pairs of errors has standard deviation 1/16; 4 of these are allowed.
 TEST(Streams, TwoHalvesAreIndependent) {

@@ -74,6 +74,29 @@ TEST(GreyCard, IsBlackBehindAndInShadow) {
   EXPECT_EQ(rendered(builder.scene).film.radiance(2, 2), (Rgb{}));
 }
 
+/// Under a sky of radiance 1 a card shows its albedo, with and without an index-1 ball in the way, and the sky
+/// itself 1.
+TEST(Environment, LightsACardWithPi) {
+  SceneBuilder builder = card_scene(0.5, 0);
+  builder.scene.lights.push_back({"sky", EnvironmentLight{{1, 1, 1}, ""}});
+  builder.scene.settings.samples = 64;
+  const Rgb found = rendered(builder.scene).film.radiance(2, 2);
+  EXPECT_NEAR(found.r, 0.5, 1e-12);  // cosine-distributed samples of a constant: no noise
+  builder.scene.objects.clear();
+  EXPECT_NEAR(rendered(builder.scene).film.radiance(2, 2).r, 1, 1e-15);
+}
+
+/// The penumbra of a sun: at the edge of a half-plane shadow the sun is half hidden.
+TEST(Sun, IsHalfHiddenOnTheEdgeOfTheShadow) {
+  SceneBuilder builder = card_scene(1, 0);
+  builder.scene.lights.push_back({"sun", DirectionalLight{{0, -1, 0}, {kPi, kPi, kPi}, 10}});
+  builder.scene.settings.samples = 4096;
+  EXPECT_NEAR(rendered(builder.scene).film.radiance(2, 2).r, 1, 2e-3);  // 1 less the cosine's mean over 5 degrees
+  builder.scene.camera = looking_down(0.5, 1e-6);
+  builder.add("blind", RectangleShape{{5, 1, 0}, {5, 0, 0}, {0, 0, -5}}, 0);
+  EXPECT_NEAR(rendered(builder.scene).film.radiance(2, 2).r, 0.5, 0.01);
+}
+
 /// What a glowing card behind a slab shows: all bounces, T = (1-R)/(1+R) [O 1.1 row 3]; 0.923077 at 0, 0.8362 at 60
 /// deg.
 double seen_through_slab(const Material& material, double tilt_deg, Layer* only = nullptr) {

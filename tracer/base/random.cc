@@ -97,6 +97,11 @@ inline std::array<double, kCount> scrambled_point(Stream stream, std::uint32_t i
   return point;
 }
 
+// An Owen scrambling of the index itself permutes indices within every aligned block of a power of two.
+inline std::uint32_t shuffled(Stream stream, std::uint32_t index) {
+  return reversed(scrambled(reversed(index), static_cast<std::uint32_t>(mixed(stream.key + 0x5851f42d4c957f2du))));
+}
+
 }  // namespace
 
 Stream stream_of(std::uint64_t seed, Purpose purpose, std::uint64_t first, std::uint64_t second) {
@@ -116,6 +121,16 @@ std::array<std::uint32_t, 4> sobol_bits(std::uint32_t index) {
 std::array<double, 2> sobol_2d(Stream stream, std::uint32_t index) { return scrambled_point<2>(stream, index); }
 
 std::array<double, 4> sobol_4d(Stream stream, std::uint32_t index) { return scrambled_point<4>(stream, index); }
+
+Stream within(Stream stream, std::uint64_t which) { return {mixed(stream.key + 0x9e3779b97f4a7c15u * (which + 1))}; }
+
+std::array<double, 2> padded_2d(Stream stream, std::uint32_t index) {
+  return sobol_2d(stream, shuffled(stream, index));
+}
+
+std::array<double, 4> padded_4d(Stream stream, std::uint32_t index) {
+  return sobol_4d(stream, shuffled(stream, index));
+}
 
 double uniform(Stream stream, std::uint64_t index, std::uint32_t dimension) {
   const std::uint64_t bits = mixed(mixed(stream.key ^ (index * 0xd1342543de82ef95u)) + dimension);

@@ -41,6 +41,15 @@ std::array<std::uint32_t, 4> sobol_bits(std::uint32_t index);
 std::array<double, 2> sobol_2d(Stream stream, std::uint32_t index);
 std::array<double, 4> sobol_4d(Stream stream, std::uint32_t index);
 
+/// Another stream that depends on this one and a number: the next bounce of a path, the next light.
+Stream within(Stream stream, std::uint64_t which);
+
+/// Owen-scrambled Sobol points in an order of their own: the indices are shuffled within every aligned block. Points of
+/// the same index from several streams may be joined to a point of more dimensions; without shuffling they would not be
+/// independent. Every aligned block of 2^m indices is still a net.
+std::array<double, 2> padded_2d(Stream stream, std::uint32_t index);
+std::array<double, 4> padded_4d(Stream stream, std::uint32_t index);
+
 /// A uniform number in (0, 1), independent over streams, indices and dimensions.
 double uniform(Stream stream, std::uint64_t index, std::uint32_t dimension);
 

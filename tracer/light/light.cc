@@ -43,6 +43,11 @@ bool is_sharp(const Light& light) {
       light.emitter);
 }
 
+Rgb sky_radiance(const Light& light) {
+  const auto* environment = std::get_if<EnvironmentLight>(&light.emitter);
+  return environment != nullptr ? environment->radiance : Rgb{};
+}
+
 std::vector<Chart> make_charts(const Scene& scene, const Targets& targets, std::uint64_t photons_per_half) {
   std::vector<Chart> charts;
   double sum = 0;

@@ -16,6 +16,9 @@ Illumination illuminate(const Light& light, Vec3 point, Vec3 normal, const UnitP
 /// Whether one sample of the light says all: no extent, so every sample is the same.
 bool is_sharp(const Light& light);
 
+/// What a look into the open sees of this light, W / (sr m2): an environment, nothing of the others.
+Rgb sky_radiance(const Light& light);
+
 /// The photons of one light towards one target.
 struct Chart {
   std::uint32_t light = 0;

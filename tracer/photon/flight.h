@@ -14,6 +14,7 @@ struct Flight {
   std::uint32_t band = 0;
   bool band_chosen = false;  // before the first dispersive face every band takes the same way
   int reflections = 0, transmissions = 0;
+  std::uint32_t index = 0;  // of the photon in its chart, for random choices on its way
 
   bool has_bounced() const { return reflections + transmissions > 0; }
 };

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "material/roughen.h"
+
 namespace vitrail {
 
 bool tells_bands_apart(const Scene& scene, std::uint32_t object) {
@@ -40,7 +42,7 @@ void PhotonTree::arrive(const Flight& flight, const Arrival& arrival) {
   if (splits) {
     split_bands(flight, arrival, flux);
   } else {
-    meet(flight, arrival, event, flux);
+    go_on(flight, arrival, event, flux);
   }
 }
 
@@ -50,8 +52,22 @@ void PhotonTree::split_bands(Flight flight, const Arrival& arrival, Rgb flux) {
   for (std::uint32_t band = 0; band < scene_.bands.size(); ++band) {
     flight.band = band;
     const Interaction event = interact(scene_, arrival.hit, flight.ray.direction, arrival.media, band);
-    meet(flight, arrival, event, flux * scene_.bands[band].weight);
+    go_on(flight, arrival, event, flux * scene_.bands[band].weight);
   }
+}
+
+// Take one random direction at a rough face: the same mean as several weaker photons, and no multiplication of photons
+// from face to face [O 1.1 row 21].
+void PhotonTree::go_on(const Flight& flight, const Arrival& arrival, const Interaction& event, Rgb flux) {
+  if (!scene_.plan.roughness || !is_rough(event.roughness)) {
+    meet(flight, arrival, event, flux);
+    return;
+  }
+  const auto bounce = static_cast<std::uint64_t>(64 * flight.reflections + flight.transmissions);
+  const auto u = padded_4d(within(stream_, bounce), flight.index);
+  Interaction one = event;
+  roughen(scene_, arrival.hit, flight.ray.direction, arrival.media, flight.band, false, {u[0], u[1], u[2]}, one);
+  meet(flight, arrival, one, flux);
 }
 
 // Store what may be seen here, send the branches on, and book what ends.

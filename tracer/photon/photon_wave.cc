@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "material/roughen.h"
 #include "optics/absorption.h"
 
 namespace vitrail {
@@ -10,7 +11,7 @@ namespace {
 // Photons under way at once: enough to fill the vectors, few enough to stay in the cache.
 constexpr std::size_t kAtOnce = 512;
 
-bool is_smooth(const Material& material) { return std::holds_alternative<NoRoughness>(material.roughness); }
+bool is_smooth(const Material& material) { return !is_rough(material.roughness); }
 
 bool is_sheet(const Shape& shape) {
   return std::holds_alternative<RectangleShape>(shape) || std::holds_alternative<DiscShape>(shape);
@@ -20,16 +21,16 @@ bool is_sheet(const Shape& shape) {
 
 bool PhotonWave::suits(const Scene& scene) {
   const bool smooth = std::all_of(scene.materials.begin(), scene.materials.end(), is_smooth);
-  return smooth && !scene.paper.refraction_literal && FewObjects::suit(scene);
+  return (smooth || !scene.plan.roughness) && !scene.paper.refraction_literal && FewObjects::suit(scene);
 }
 
-PhotonWave::PhotonWave(const PhotonPass& pass, std::uint32_t target, PhotonBlock& block)
+PhotonWave::PhotonWave(const PhotonPass& pass, std::uint32_t target, Stream stream, PhotonBlock& block)
     : pass_(pass),
       scene_(pass.scene),
       target_(target),
       block_(block),
       objects_(pass.scene),
-      tree_(pass, target, block),
+      tree_(pass, target, stream, block),
       met_(2 * pass.scene.objects.size()),
       rays_(std::make_unique<RayChunk>()),
       group_(std::make_unique<Group>()),

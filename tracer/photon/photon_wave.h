@@ -15,7 +15,7 @@ class PhotonWave {
  public:
   static bool suits(const Scene& scene);
 
-  PhotonWave(const PhotonPass& pass, std::uint32_t target, PhotonBlock& block);
+  PhotonWave(const PhotonPass& pass, std::uint32_t target, Stream stream, PhotonBlock& block);
 
   /// Take a photon as it leaves the light, inside no solid or inside `media`.
   void add(const Ray& ray, const MediumSet& media, Rgb flux);

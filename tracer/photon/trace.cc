@@ -72,7 +72,7 @@ struct SampleColumns {
   EmissionSample at(std::uint32_t i) const { return {first.at(i), four ? second.at(i) : UnitPoint{}}; }
 };
 
-// Emit the photons of a block and hand each to `follow(ray, media, flux)`.
+// Emit the photons of a block and hand each to `follow(ray, media, flux, index)`.
 template <typename Follow>
 void emit_block(const PhotonPass& pass, const Chart& chart, Stream stream, std::uint64_t first, std::uint64_t count,
                 const Follow& follow) {
@@ -86,7 +86,8 @@ void emit_block(const PhotonPass& pass, const Chart& chart, Stream stream, std::
     for (std::uint32_t i = 0; i < size; ++i) {
       const Emission emission = emit(chart, samples->at(i));
       if (is_black(emission.power)) continue;
-      follow(emission.ray, media.at(emission.ray.origin), emission.power * share);
+      follow(emission.ray, media.at(emission.ray.origin), emission.power * share,
+             static_cast<std::uint32_t>(first + done) + i);
     }
   }
 }
@@ -97,16 +98,20 @@ PhotonBlock trace_photons(const PhotonPass& pass, const Chart& chart, Stream str
                           std::uint64_t count, PhotonWay way) {
   PhotonBlock block;
   block.photons.reserve(count);
+  const Stream on_the_way = within(stream, static_cast<std::uint64_t>(Purpose::kPhotonRoughness));
   if (way == PhotonWay::automatic && PhotonWave::suits(pass.scene)) {
-    PhotonWave wave(pass, chart.target, block);
+    PhotonWave wave(pass, chart.target, on_the_way, block);
     emit_block(pass, chart, stream, first, count,
-               [&](const Ray& ray, const MediumSet& media, Rgb flux) { wave.add(ray, media, flux); });
+               [&](const Ray& ray, const MediumSet& inside, Rgb flux, std::uint32_t) { wave.add(ray, inside, flux); });
     wave.finish();
   } else {
-    PhotonTree tree(pass, chart.target, block);
-    emit_block(pass, chart, stream, first, count, [&](const Ray& ray, const MediumSet& media, Rgb flux) {
-      tree.follow({ray, {}, media, flux, kLeastPhotonShare * largest_channel(flux)});
-    });
+    PhotonTree tree(pass, chart.target, on_the_way, block);
+    emit_block(pass, chart, stream, first, count,
+               [&](const Ray& ray, const MediumSet& inside, Rgb flux, std::uint32_t index) {
+                 Flight flight{ray, {}, inside, flux, kLeastPhotonShare * largest_channel(flux)};
+                 flight.index = index;
+                 tree.follow(flight);
+               });
   }
   return block;
 }

@@ -71,6 +71,7 @@ class PixelRenderer {
     path.media = context_.intersector.media_at(path.ray.origin);
     path.draw = {stream_of(scene.settings.seed, Purpose::kLightSample, pixel, static_cast<std::uint64_t>(half)),
                  static_cast<std::uint32_t>(sample)};
+    path.rough = stream_of(scene.settings.seed, Purpose::kCameraRoughness, pixel, static_cast<std::uint64_t>(half));
     path.light_samples = std::max(1, kLightSamplesPerPixel / std::max(1, scene.settings.samples));
     tracer_.trace(path, result_);
     statistics_.counters.camera_rays += result_.rays;

@@ -10,6 +10,7 @@ CameraTracer::CameraTracer(const Scene& scene, const Intersector& intersector)
     const auto& ior = material.ior_by_band;
     disperses_.push_back(std::any_of(ior.begin(), ior.end(), [&](double n) { return n != ior[0]; }));
   }
+  for (const Light& light : scene.lights) sky_ += sky_radiance(light);
 }
 
 void CameraTracer::trace(const CameraPath& path, PathResult& result) {
@@ -27,7 +28,10 @@ void CameraTracer::trace(const CameraPath& path, PathResult& result) {
     ++result.rays;
     const Arrival arrival =
         advance(scene_, intersector_, look.ray, look.departures, look.media, look.band, undispersed);
-    if (arrival.escaped) continue;
+    if (arrival.escaped) {
+      result.radiance[look.layer] += look.throughput * arrival.transmittance * sky_;
+      continue;
+    }
     const Rgb throughput = look.throughput * arrival.transmittance;
 
     // Split into bands at the first face that tells them apart; from there each keeps its own index.
@@ -39,7 +43,7 @@ void CameraTracer::trace(const CameraPath& path, PathResult& result) {
                        (tells_apart(event.medium_before) || tells_apart(event.medium_after));
     scatter(look, arrival, event, throughput, result);
     if (!split) {
-      meet(look, arrival, event, throughput);
+      go_on(look, arrival, event, throughput);
       continue;
     }
     for (std::uint32_t band = 0; band < scene_.bands.size(); ++band) {
@@ -47,7 +51,7 @@ void CameraTracer::trace(const CameraPath& path, PathResult& result) {
       one.band = band;
       one.band_chosen = true;
       const Interaction in_band = interact(scene_, arrival.hit, look.ray.direction, arrival.media, band);
-      meet(one, arrival, in_band, throughput * scene_.bands[band].weight);
+      go_on(one, arrival, in_band, throughput * scene_.bands[band].weight);
     }
   }
 }
@@ -70,6 +74,28 @@ void CameraTracer::scatter(const Look& look, const Arrival& arrival, const Inter
     result.radiance[Layer::indirect_light] += reflected * scene_.transport.ambient;
   }
   if (scene_.plan.caustic) result.requests.push_back({{arrival.hit.point, event.facing_normal}, reflected});
+}
+
+// Replace the look by several convoluted ones at the first rough face of a path, and by one at the others [S eq. 8].
+void CameraTracer::go_on(const Look& look, const Arrival& arrival, const Interaction& event, Rgb throughput) {
+  if (!scene_.plan.roughness || !is_rough(event.roughness)) {
+    meet(look, arrival, event, throughput);
+    return;
+  }
+  const int several = look.scattered ? 1 : std::max(1, scene_.settings.rough_samples);
+  const int count = several + (scene_.paper.literal_sum ? 1 : 0);  // the printed sum runs from 0 to n [O 1.1 row 20]
+  const int bounce = 64 * look.reflections + look.transmissions;
+  const Stream stream = within(path_.rough, static_cast<std::uint64_t>(bounce));
+  Look scattered = look;
+  scattered.scattered = true;
+  for (int i = 0; i < count; ++i) {
+    const auto u =
+        padded_4d(stream, path_.draw.sample * static_cast<std::uint32_t>(count) + static_cast<std::uint32_t>(i));
+    Interaction one = event;
+    roughen(scene_, arrival.hit, look.ray.direction, arrival.media, look.band, !scene_.paper.disperse_camera,
+            {u[0], u[1], u[2]}, one);
+    meet(scattered, arrival, one, throughput * (1.0 / several));
+  }
 }
 
 void CameraTracer::meet(const Look& look, const Arrival& arrival, const Interaction& event, Rgb throughput) {
@@ -98,6 +124,7 @@ void CameraTracer::send(const Look& look, const Arrival& arrival, const Branch& 
                       look.band_chosen,
                       look.reflections + reflections,
                       look.transmissions + transmissions,
+                      look.scattered,
                       layer});
 }
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "material/surface.h"
+#include "material/roughen.h"
 #include "photon/photon_map.h"
 #include "render/direct_light.h"
 #include "render/film.h"
@@ -27,7 +27,8 @@ struct GatherRequest {
 struct CameraPath {
   Ray ray;
   MediumSet media;  // the solids the camera is in
-  LightDraw draw;   // random numbers of this sample
+  LightDraw draw;   // random numbers of this sample: for lights ...
+  Stream rough;     // ... and for rough faces
   int light_samples = 1;
 };
 
@@ -53,8 +54,10 @@ class CameraTracer {
     std::uint32_t band = 0;
     bool band_chosen = false;
     int reflections = 0, transmissions = 0;
+    bool scattered = false;  // has met a rough face
     Layer layer = Layer::diffusion;
   };
+  void go_on(const Look& look, const Arrival& arrival, const Interaction& event, Rgb throughput);
   void meet(const Look& look, const Arrival& arrival, const Interaction& event, Rgb throughput);
   void scatter(const Look& look, const Arrival& arrival, const Interaction& event, Rgb throughput, PathResult& result);
   void send(const Look& look, const Arrival& arrival, const Branch& branch, Rgb throughput, Layer layer,
@@ -62,6 +65,7 @@ class CameraTracer {
 
   const Scene& scene_;
   const Intersector& intersector_;
+  Rgb sky_;                      // what a look into the open sees
   std::vector<bool> disperses_;  // by material: the index differs between bands
   CameraPath path_;
   double ior_at_camera_ = 1;
