@@ -73,6 +73,21 @@ TEST(Box, OfANanometreIsEnteredAndLeft) {
   }
 }
 
+TEST(Box, IsCrossedAlongAFaceThatIsNotLeft) {
+  // Standing on the lower face and known to be inside, with a direction that rounding has turned a hair outwards.
+  const Box box({{-1, 0, -1}, {1, 1, 1}, {}});
+  const Departure inside{0, 2, true};
+  ShapeHit hit;
+  ASSERT_TRUE(box.intersect({{0.5, 0, 0}, {1, -1e-17, 0}}, &inside, hit));
+  EXPECT_EQ(hit.face, 1u);
+  EXPECT_EQ(hit.t, 0.5);
+
+  // Standing on an edge, a hair beside it: the way out is the other face, here and now.
+  ASSERT_TRUE(box.intersect({{1 + 1e-15, 0, 0}, normalise({1, 1, 0})}, &inside, hit));
+  EXPECT_EQ(hit.face, 1u);
+  EXPECT_EQ(hit.t, 0);
+}
+
 TEST(Lens, FocusesWhereItsRadiiSay) {
   // Vertex of a biconvex lens on the axis at +-thickness / 2, of a biconcave one too; the rim at radius diameter / 2.
   for (double radius : {1.5, -1.5, 0.0}) {

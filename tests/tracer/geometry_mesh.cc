@@ -109,6 +109,47 @@ TEST(Mesh, DoesNotLeakAlongItsFaces) {
   EXPECT_GT(hits, 20);
 }
 
+/// The cube, and a second one above it from y = 3 to 5.
+std::string two_cubes() {
+  std::string text = kCube;
+  std::istringstream lines(kCube);
+  for (std::string kind, a, b, c, d; lines >> kind;) {
+    if (kind == "v") lines >> a >> b >> c, text += "v " + a + " " + std::to_string(std::stoi(b) + 4) + " " + c + "\n";
+    if (kind != "f") continue;
+    lines >> a >> b >> c >> d;
+    text += "f";
+    for (const std::string& corner : {a, b, c, d}) text += " " + std::to_string(std::stoi(corner) + 8);
+    text += "\n";
+  }
+  return text;
+}
+
+TEST(Mesh, IsLeftOnItsEdgeBeforeAnotherPartIsEntered) {
+  // Inside by departure, on an edge, going outwards: there may be no triangle left to meet on the way out.
+  const Scene scene = scene_of(mesh_of(write_file("two.obj", two_cubes())));
+  for (Search search : {Search::list, Search::embree}) {
+    const Intersector intersector(scene, search);
+    Hit side;
+    ASSERT_TRUE(intersector.closest({{5, 0.5, 0.1}, {-1, 0, 0}}, {}, side));
+    ASSERT_NEAR(side.t, 4, 1e-15);
+    for (const double hair : {0.0, 1e-16, -1e-16, 5e-16})
+      for (const double slant : {0.0, 1e-17, 1e-3, -1e-17}) {
+        Departures inside;
+        inside.push_back({0, side.crossings[0].face, true});
+        Hit hit;
+        ASSERT_TRUE(intersector.closest({{1, 1 + hair, 0.1}, normalise({slant, 1, 0})}, inside, hit));
+        EXPECT_FALSE(hit.crossings[0].entering) << hair << " " << slant;
+        EXPECT_LT(hit.t, 1e-14);
+
+        // Outside again it does not come back in where it stands.
+        Hit next;
+        if (intersector.closest({hit.point, normalise({-1e-17, 1, 0})}, hit.through(), next)) {
+          EXPECT_GT(next.t, 1);
+        }
+      }
+  }
+}
+
 TEST(Mesh, IsTheSameByListAndByTree) {
   const Scene scene = scene_of(mesh_of(write_file("same.obj", ball_text(10)), true, turned()));
   const Intersector list(scene, Search::list), tree(scene, Search::embree);

@@ -73,6 +73,28 @@ TEST_P(EverySolid, IsEnteredAndLeftInTurn) {
   EXPECT_GT(met, 1000) << name;
 }
 
+TEST_P(EverySolid, IsHitOnItsSurfaceFromAfar) {
+  // Ten million sizes away a hit is known to 1e-9 along the ray, and across it no worse.
+  TestNumbers numbers;
+  int met = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const Vec3 target = numbers.in_cube(1), origin = numbers.direction() * 1e7;
+    const Ray ray{origin, normalise(target - origin)};
+    ShapeHit hit;
+    if (!intersect(solid, ray, nullptr, hit)) continue;
+    ++met;
+    const Bounds box = bounds(solid);
+    for (int axis = 0; axis < 3; ++axis) {
+      ASSERT_GT(ray.at(hit.t)[axis], box.min[axis] - 1e-7) << name;
+      ASSERT_LT(ray.at(hit.t)[axis], box.max[axis] + 1e-7) << name;
+    }
+    // Rays that graze slide along the surface: ask for the gap and not for the way.
+    const SurfacePoint at = surface(solid, ray.at(hit.t), hit.face);
+    ASSERT_LT(length(at.point - ray.at(hit.t)) * std::abs(dot(at.normal, ray.direction)), 1e-7) << name;
+  }
+  EXPECT_GT(met, 100) << name;
+}
+
 TEST_P(EverySolid, HasOutwardNormals) {
   TestNumbers numbers;
   for (int i = 0; i < 2000; ++i) {
@@ -112,6 +134,29 @@ TEST_P(EverySolid, IsLeftByRaysThatStartInside) {
     EXPECT_FALSE(hit.entering) << name;
   }
   EXPECT_GT(started, 100) << name;
+}
+
+TEST_P(EverySolid, IsLeftWhereverARayStandsOnIt) {
+  // A ray known to go on inside finds a way out in any direction, along the face and a hair outwards too; and then the
+  // ray outside does not come in where it stands.
+  TestNumbers numbers;
+  for (int i = 0; i < 20000; ++i) {
+    const Ray ray{numbers.in_cube(1) - numbers.direction() * 4, numbers.direction()};
+    ShapeHit hit;
+    if (!intersect(solid, ray, nullptr, hit)) continue;
+    const SurfacePoint at = surface(solid, ray.at(hit.t), hit.face);
+    const Vec3 along = normalise(cross(at.normal, numbers.direction()));
+    for (const double lift : {-1e-3, -1e-12, 0.0, 1e-17, 1e-12}) {
+      const Departure inside{0, hit.face, true};
+      ShapeHit out, again;
+      ASSERT_TRUE(intersect(solid, {at.point, normalise(along + at.normal * lift)}, &inside, out)) << name << lift;
+      EXPECT_FALSE(out.entering) << name;
+      EXPECT_GE(out.t, 0) << name;
+      const Departure outside{0, out.face, false};
+      const Vec3 there = surface(solid, at.point + along * out.t, out.face).point;
+      EXPECT_TRUE(!intersect(solid, {there, along}, &outside, again) || again.t > 0) << name;
+    }
+  }
 }
 
 TEST_P(EverySolid, ScalesByPowersOfTwoToTheBit) {

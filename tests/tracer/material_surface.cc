@@ -210,6 +210,13 @@ TEST(Glass, SetIntoAnOpaqueWallIsAWindow) {
   EXPECT_EQ(slanted[1].object, 0u);
 }
 
+TEST(Glass, OfEqualPriorityDisplacesNoWall) {
+  SceneBuilder builder;
+  builder.add("wall", slab_between(-1, 0), builder.add(diffuse(0.5)));
+  builder.add("pane", BoxShape{{-1, -2, -1}, {1, 1, 1}, {}}, builder.add(glass(1.5)));
+  EXPECT_EQ(events(follow_in(builder.scene, falling(0, {0, 0, 0}))), "enter diffuse");
+}
+
 TEST(Absorption, FollowsTheWayInTheRulingMedium) {
   SceneBuilder builder;
   Material red = glass(1.5), clear = glass(1.5);

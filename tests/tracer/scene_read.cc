@@ -227,6 +227,12 @@ TEST(CentreScene, IsNotDrawnIntoThePlanet) {
   scene.objects.push_back({"planet", 0, 0, SphereShape{{0, -1e9, 0}, 1e9}});
   centre_scene(scene);
   EXPECT_EQ(scene.shift, (Vec3{0, 0, 0}));
+
+  // Nor does the planet keep a small scene on its far side where no digits are left.
+  Scene far = ball_at({0, -2e9, 0});
+  far.objects.push_back({"planet", 0, 0, SphereShape{{0, -1e9, 0}, 1e9}});
+  centre_scene(far);
+  EXPECT_LT(largest_coordinate(std::get<SphereShape>(far.objects[0].shape).center), 16);
 }
 
 TEST(CentreScene, ScalesByPowersOfTwo) {

@@ -39,6 +39,20 @@ WallEquation wall_equation(Vec3 o, Vec3 d, double rho, double rise, bool on_wall
 bool cut_wall(Span& span, Vec3 lateral_origin, Vec3 lateral_direction, double climb, double radius, double slope,
               std::uint32_t face, bool on_wall) {
   const double rise = slope * climb;
+
+  // From afar, solve about the closest approach to the axis: the squares of the way there would drown the radius.
+  const double pace = length_squared(lateral_direction);
+  if (rise != 0 && !on_wall && pace > 0) {
+    const double ahead = -dot(lateral_origin, lateral_direction) / pace;
+    const Vec3 nearest = lateral_origin + lateral_direction * ahead;
+    const double radius_there = radius + rise * ahead;
+    if (length_squared(lateral_origin) > 64 * (length_squared(nearest) + radius_there * radius_there)) {
+      Span there{span.in - ahead, span.out - ahead, span.face_in, span.face_out};
+      if (!cut_wall(there, nearest, lateral_direction, climb, radius_there, slope, face, false)) return false;
+      span = {there.in + ahead, there.out + ahead, there.face_in, there.face_out};
+      return true;
+    }
+  }
   const WallEquation eq = wall_equation(lateral_origin, lateral_direction, radius, rise, on_wall);
 
   // Parallel to the wall all the way: in or out as the origin is; parallel to one side line of a cone: one crossing.
