@@ -14,9 +14,15 @@ def mutants(
     bench: Path = typer.Option(Path("scenes/calibration"), "--bench", help="The folder of the calibration scenes."),
     out: Path = typer.Option(Path("out/mutants"), "--out", metavar="DIR", help="Folder of the study; call to resume."),
     only: list[str] = typer.Option([], "--only", help="Only this mutant; may be given several times."),
+    equal_runs: int = typer.Option(
+        0, "--equal-runs", min=0, help="Instead: so many pairs that differ in the seed alone."
+    ),
     as_json: bool = typer.Option(False, "--json", help="Print the matrix as JSON."),
 ) -> None:
     """Exit code 1 when a mutant escapes."""
+    if equal_runs:
+        _equal_runs(bench / "ball_lens.yaml", out, equal_runs, as_json)
+        return
     with exit_codes():
         from vitrail.commands.study_options import study_progress
         from vitrail.report.mutants_page import write_mutants_page
@@ -39,6 +45,27 @@ def mutants(
         total = len(found["mutants"])
         typer.echo(f"{found['caught']} of {total} caught, {found['named']} named right; the page is {page}")
     raise typer.Exit(0 if found["caught"] == len(found["mutants"]) else DEVIATES)
+
+
+def _equal_runs(scene: Path, out: Path, pairs: int, as_json: bool) -> None:
+    """Count the false alarms between runs that are equal but for the seed; exit code 1 when the rate is not kept."""
+    with exit_codes():
+        from vitrail.commands.scene_file import read_scene
+        from vitrail.commands.study_options import study_progress
+        from vitrail.engines.tracer import Tracer
+        from vitrail.study.equal_runs import equal_runs
+
+        with study_progress("equal runs") as report:
+            found = equal_runs(read_scene(scene), out / "equal", Tracer(), pairs=pairs, overrides={}, report=report)
+    if as_json:
+        print_json(found)
+    for row in [] if as_json else found["rates"]:
+        typer.echo(
+            f"at a rate of {100 * row['rate']:g} %: {row['alarms']} of {row['suites']} suites raise a false alarm"
+            f" (chance of as many: {row['p_value']:.2g})"
+        )
+    if found["failures"] or any(row["p_value"] < 0.01 for row in found["rates"]):
+        raise typer.Exit(DEVIATES)
 
 
 def _words(entry: dict) -> str:

@@ -1,0 +1,113 @@
+"""Do the intervals keep their word? Pairs of renderings that differ in the seed alone, judged as two programs.
+
+Nothing deviates between them but noise, so with no tolerance at all a comparison is a false alarm whenever its interval
+leaves out the ideal. A suite of n comparisons at false-alarm rate p, each at the level of Sidak's correction, may raise
+one in at most a share p of the pairs.
+"""
+
+from __future__ import annotations
+
+import json
+import tempfile
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from scipy import stats
+
+from vitrail.engines.base import Engine
+from vitrail.images.exr import ImageLayers, read_image
+from vitrail.judge.comparison import Pair
+from vitrail.judge.false_alarms import sidak
+from vitrail.judge.observe import observe
+from vitrail.judge.references import SceneTruth
+from vitrail.lower.canonical_json import canonical_json
+from vitrail.lower.tracer import lower_tracer
+from vitrail.plan.analyse import analyse
+from vitrail.plan.budget import Settings, settings_for
+from vitrail.scene.load import Loaded
+from vitrail.study.queue import Progress, Work, run_tasks
+from vitrail.study.task import Task
+from vitrail.study.task_log import TaskLog
+
+RATES = (0.01, 0.05, 0.2)
+"""The suite's own rate, and two at which a few hundred pairs can show whether the intervals are too narrow."""
+
+
+def equal_runs(
+    loaded: Loaded,
+    out: Path,
+    engine: Engine,
+    *,
+    pairs: int = 200,
+    overrides: Mapping[str, object],
+    report: Callable[[Progress], None] = lambda progress: None,
+) -> dict[str, Any]:
+    """Render and compare ``pairs`` pairs, remembering those that are done; write and return equal_runs.json."""
+    content = canonical_json(lower_tracer(loaded.scene, analyse(loaded.scene), _settings(loaded, overrides, 0)))
+    tasks = [
+        Task("pair", {"first": 2 * k + 1, "second": 2 * k + 2, "content": content, "version": engine.version()})
+        for k in range(pairs)
+    ]
+    work: dict[str, Work] = {
+        "pair": lambda spec: (_pair(loaded, engine, overrides, (spec["first"], spec["second"])), {})
+    }
+    rows = run_tasks(tasks, TaskLog(out), work, report=report)
+    failures = [row.failure for row in rows if row.failure]
+    suites = [row.result["numbers"] for row in rows if row.result is not None]
+    found = {"vitrail_equal_runs": 1, "scene": loaded.path.stem, "failures": failures, "rates": alarm_table(suites)}
+    (out / "equal_runs.json").write_text(json.dumps(found, indent=1, sort_keys=True) + "\n")
+    return found
+
+
+def alarm_table(suites: Sequence[Sequence[Mapping[str, float]]]) -> list[dict[str, float]]:
+    """For each rate: how many suites raise a false alarm, and whether that is more than the rate allows.
+
+    ``p_value``: the chance of so many or more alarms if the rate held exactly; below 0.01 the intervals are too narrow.
+    """
+    table = []
+    for rate in RATES:
+        alarms = sum(_alarms(suite, rate) for suite in suites)
+        p_value = float(stats.binom.sf(alarms - 1, len(suites), rate)) if suites else 1.0
+        table.append({"rate": rate, "suites": len(suites), "alarms": alarms, "p_value": p_value})
+    return table
+
+
+def _alarms(suite: Sequence[Mapping[str, float]], rate: float) -> bool:
+    """Whether any interval of the suite leaves out the ideal."""
+    level = sidak(rate, len(suite)).level
+    for number in suite:
+        reach = float(stats.t.isf((1 - level) / 2, number["degrees_of_freedom"])) * number["standard_error"]
+        if abs(number["difference"]) > reach:
+            return True
+    return False
+
+
+def _pair(loaded: Loaded, engine: Engine, overrides: Mapping[str, object], seeds: tuple[int, int]) -> dict[str, Any]:
+    """Every number between two renderings of the scene."""
+    first, second = (_rendered(loaded, engine, _settings(loaded, overrides, seed)) for seed in seeds)
+    images = {"candidate": first, "reference": second}
+    radius_m = _settings(loaded, overrides, seeds[0]).gather_radius_m
+    observed = observe(loaded.scene, images, (Pair.CANDIDATE_REFERENCE,), SceneTruth(), radius_m)
+    numbers = [
+        {
+            "metric": f"{each.observation.name}.{entry.metric}",
+            "difference": entry.value - entry.ideal,
+            "standard_error": entry.noise.standard_error,
+            "degrees_of_freedom": min(entry.noise.degrees_of_freedom, 1e9),
+        }
+        for each in observed
+        for entry in each.measured
+        if entry.noise.standard_error > 0
+    ]
+    return {"numbers": numbers}
+
+
+def _settings(loaded: Loaded, overrides: Mapping[str, object], seed: int) -> Settings:
+    return settings_for(loaded.scene, analyse(loaded.scene), "draft", **{**overrides, "seed": seed})
+
+
+def _rendered(loaded: Loaded, engine: Engine, settings: Settings) -> ImageLayers:
+    lowered = lower_tracer(loaded.scene, analyse(loaded.scene), settings, loaded.path.parent.resolve())
+    with tempfile.TemporaryDirectory(prefix="vitrail-pair-") as work:
+        return read_image(engine.render(lowered, Path(work), threads=1).image_path)
