@@ -80,9 +80,26 @@ PhotonMaps make_photon_maps(const Scene& scene, const Intersector& intersector, 
   return maps;
 }
 
+double stored_per_photon(const Scene& scene, const Intersector& intersector) {
+  constexpr std::uint64_t kPilot = 512;
+  const Targets targets = find_targets(scene, intersector);
+  const std::vector<Chart> charts = make_charts(scene, targets, scene.settings.photons / 2);
+  const PhotonPass pass{scene, intersector, {targets.surroundings.center}};
+  double stored = 0, emitted = 0;
+  for (const Chart& chart : charts) {
+    const std::uint64_t count = std::min(kPilot, chart.count);
+    const Stream stream = stream_of(scene.settings.seed, Purpose::kPilot);
+    const PhotonBlock block = trace_photons(pass, chart, stream, 0, count);
+    const double each_stands_for = static_cast<double>(chart.count) / static_cast<double>(count);
+    stored += each_stands_for * static_cast<double>(block.photons.size());
+    emitted += static_cast<double>(chart.count);
+  }
+  return emitted > 0 ? stored / emitted : 0;
+}
+
 std::uint64_t predicted_photon_bytes(std::uint64_t photons, double stored_per_photon) {
   const auto stored = static_cast<std::uint64_t>(stored_per_photon * static_cast<double>(photons));
-  return stored * sizeof(PhotonRecord) + 2 * PhotonMap::predicted_bytes(stored / 2);
+  return 2 * PhotonMap::predicted_bytes(stored / 2);
 }
 
 }  // namespace vitrail

@@ -25,7 +25,10 @@ struct PhotonMaps {
 /// Emit settings.photons, half of them into each map. Empty maps if the monitor interrupts.
 PhotonMaps make_photon_maps(const Scene& scene, const Intersector& intersector, unsigned threads, Monitor& monitor);
 
-/// Peak bytes of the pass if each photon is stored `stored_per_photon` times.
+/// How often a photon is stored, from a few hundred of every chart. Faces that divide light make this more than 1.
+double stored_per_photon(const Scene& scene, const Intersector& intersector);
+
+/// Peak bytes of the pass if each photon is stored so many times.
 std::uint64_t predicted_photon_bytes(std::uint64_t photons, double stored_per_photon);
 
 }  // namespace vitrail

@@ -76,15 +76,15 @@ void PhotonMap::choose_lattice(const std::vector<std::vector<PhotonRecord>>& blo
     cells[a] = std::ceil((static_cast<double>(high[axis_[a]]) - low[axis_[a]]) * per_m) + 4 * kCellsPerReach;
   }
 
-  // Spend at most four buckets a photon on a dense grid; hash with odd strides otherwise.
-  const double most = std::max(65536.0, 4.0 * static_cast<double>(size_));
+  // Spend at most two buckets a photon on a dense grid; hash with odd strides otherwise.
+  const double most = std::max(65536.0, 2.0 * static_cast<double>(size_));
   const double dense = cells[0] * cells[1] * cells[2];
   if (dense <= most) {
     mask_ = std::bit_ceil(static_cast<std::uint32_t>(dense)) - 1;
     stride_j_ = static_cast<std::uint32_t>(cells[0]);
     stride_k_ = stride_j_ * static_cast<std::uint32_t>(cells[1]);
   } else {
-    mask_ = std::bit_ceil(static_cast<std::uint32_t>(std::min(most / 2, 0x1p31))) - 1;
+    mask_ = std::bit_ceil(static_cast<std::uint32_t>(std::min(most, 0x1p31))) - 1;
     stride_j_ = 0x9e3779b1u & mask_;
     stride_k_ = 0x85ebca77u & mask_;
   }
@@ -229,9 +229,10 @@ Rgb PhotonMap::irradiance(const GatherQuery& query) const {
 }
 
 std::size_t PhotonMap::predicted_bytes(std::size_t count) {
-  const std::size_t columns = 7 * sizeof(float) * (count + kPadding) + sizeof(Heaped) * count;
-  const std::size_t table = sizeof(std::uint32_t) * std::max<std::size_t>(131072, 8 * count);
-  return columns + table + sizeof(std::uint32_t) * count;
+  const std::size_t columns = 7 * sizeof(float) * (count + kPadding);
+  const std::size_t table = sizeof(std::uint32_t) * std::bit_ceil(std::max<std::size_t>(65536, 2 * count));
+  const std::size_t on_the_way = (sizeof(Heaped) + sizeof(std::uint32_t)) * count;
+  return columns + table + on_the_way;
 }
 
 }  // namespace vitrail

@@ -60,7 +60,7 @@ class PhotonMap {
   std::size_t size() const { return size_; }
   double radius_m() const { return radius_m_; }
 
-  /// Bytes that a map of `count` photons takes, sorted arrays and cell table together.
+  /// Peak bytes while a map of `count` photons is made; the blocks it is made from are given up on the way.
   static std::size_t predicted_bytes(std::size_t count);
 
  private:

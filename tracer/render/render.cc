@@ -9,19 +9,18 @@
 namespace vitrail {
 namespace {
 
-// Each photon may be stored more than once: a Fresnel face splits it. Twice is rarely exceeded.
-constexpr double kStoredPerPhoton = 2;
+bool has_photon_pass(const Scene& scene) { return scene.plan.caustic && scene.settings.photons > 0; }
 
-void refuse_what_cannot_work(const Scene& scene) {
+void refuse_what_cannot_work(const Scene& scene, const Intersector& intersector) {
   std::vector<Diagnostic> found;
-  if (scene.plan.caustic && scene.settings.photons > 0 && !(scene.settings.gather_radius_m > 0)) {
+  if (has_photon_pass(scene) && !(scene.settings.gather_radius_m > 0)) {
     found.push_back({"settings.gather_radius_m", "is not above 0, but the plan has a caustic pass",
                      "give the radius of the gather disc in metres"});
   }
   if (scene.settings.photons / 2 >= (std::uint64_t{1} << 32)) {
     found.push_back({"settings.photons", "is above 2^33", "render several seeds and average them"});
   }
-  const double mb = static_cast<double>(predicted_bytes(scene)) / 1e6;
+  const double mb = static_cast<double>(predicted_bytes(scene, intersector)) / 1e6;
   if (scene.settings.memory_limit_mb > 0 && mb > scene.settings.memory_limit_mb) {
     found.push_back({"settings.memory_limit_mb",
                      "the rendering needs about " + std::to_string(static_cast<long>(mb)) + " MB, the limit is " +
@@ -43,17 +42,16 @@ Counters& Counters::operator+=(const Counters& other) {
 }
 
 Rendering render(const Scene& scene, unsigned threads, Monitor& monitor) {
-  refuse_what_cannot_work(scene);
-  Rendering result{Film(scene.image.width, scene.image.height), {}, {}, {}, {}, false};
-
-  // Build what rays ask.
+  // Build what rays ask, and see whether the rest fits.
   const double start = thread_cpu_s();
   const Intersector intersector(scene);
+  refuse_what_cannot_work(scene, intersector);
+  Rendering result{Film(scene.image.width, scene.image.height), {}, {}, {}, {}, false};
   result.cpu_s.build = thread_cpu_s() - start;
 
   // Send out the photons.
   PhotonMaps maps;
-  if (scene.plan.caustic && scene.settings.photons > 0) {
+  if (has_photon_pass(scene)) {
     maps = make_photon_maps(scene, intersector, threads, monitor);
     result.ledger = maps.statistics.ledger;
     result.warnings = maps.statistics.warnings;
@@ -82,9 +80,11 @@ Rendering render(const Scene& scene, unsigned threads, Monitor& monitor) {
   return result;
 }
 
-std::uint64_t predicted_bytes(const Scene& scene) {
+std::uint64_t predicted_bytes(const Scene& scene, const Intersector& intersector) {
   std::uint64_t bytes = Film::predicted_bytes(scene.image.width, scene.image.height);
-  if (scene.plan.caustic) bytes += predicted_photon_bytes(scene.settings.photons, kStoredPerPhoton);
+  if (has_photon_pass(scene)) {
+    bytes += predicted_photon_bytes(scene.settings.photons, stored_per_photon(scene, intersector));
+  }
   return bytes;
 }
 

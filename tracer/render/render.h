@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/monitor.h"
+#include "geometry/accel.h"
 #include "photon/ledger.h"
 #include "render/film.h"
 
@@ -33,7 +34,7 @@ struct Rendering {
 /// gather radius for a caustic, or more memory predicted than settings.memory_limit_mb.
 Rendering render(const Scene& scene, unsigned threads, Monitor& monitor);
 
-/// Peak bytes of a rendering, before anything is allocated.
-std::uint64_t predicted_bytes(const Scene& scene);
+/// Peak bytes of a rendering, before they are allocated.
+std::uint64_t predicted_bytes(const Scene& scene, const Intersector& intersector);
 
 }  // namespace vitrail
