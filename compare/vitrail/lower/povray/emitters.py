@@ -19,6 +19,10 @@ SMALL_SUN_DEG = 2.0
 """Diameter below which a penumbra is narrow and a quarter of the small lights is enough."""
 
 
+SKY_SHARE = 4
+"""Directions of a sky for each small light of a lamp."""
+
+
 @dataclass(frozen=True)
 class Emitter:
     """One small light: where it is, which way it shines, and its share of the whole."""
@@ -88,8 +92,8 @@ def sun_directions(direction: Vec, diameter_deg: float, grid: Grid) -> list[Emit
 
 
 def sphere_directions(grid: Grid) -> list[Emitter]:
-    """Directions over the whole sphere, equal solid angles."""
-    columns, rows = _columns_and_rows(grid.count, math.pi)
+    """Directions over the whole sphere, equal solid angles; many, because half of them are behind every surface."""
+    columns, rows = _columns_and_rows(SKY_SHARE * grid.count, math.pi)
     found = []
     for a, b in _cells(columns, rows, grid):
         z, turn = 1 - 2 * b, 2 * math.pi * a

@@ -88,7 +88,7 @@ def lower_povray(scene: Scene, plan: Plan, settings: Settings, loaded: Loaded | 
     """The runs and the certificate. Raises NotTranslatable with the scene's lines (taken from ``loaded``)."""
     refusals, identity = Refusals(loaded), scene_hash(scene)
     scene = reduced(scene, plan)
-    refuse_unsupported(scene, plan, settings, refusals)
+    refuse_unsupported(scene, plan, refusals)
     meshes = meshes_of(scene, loaded.path.parent if loaded else Path(), refusals)
     units = normalise(scene, [mesh.bounds for mesh in meshes.values()], refusals)
     mode = mode_of(scene, plan, settings)
@@ -102,8 +102,20 @@ def lower_povray(scene: Scene, plan: Plan, settings: Settings, loaded: Loaded | 
     depth, placement = trace_depth(plan, settings.quality), with_gaps(scene, units)
     nesting = nesting_of(scene, units)
     objects = ObjectText(scene, plan, units, photons is not None, indices, meshes, needs_media(scene, plan, nesting))
-    text = SceneText(scene, plan, units, lights, photons, depth, placement, nesting, objects)
-    translation = Translation(scene, plan, mode, units, lights["a"], photons, depth, placement.shrunk, indices, nesting)
+    text = SceneText(scene, plan, units, lights, photons, depth, placement, nesting, objects, settings.quality)
+    translation = Translation(
+        scene=scene,
+        plan=plan,
+        mode=mode,
+        units=units,
+        lights=lights["a"],
+        photons=photons,
+        depth=depth,
+        shrunk=placement.shrunk,
+        indices=indices,
+        nesting=nesting,
+        quality=settings.quality,
+    )
     return PovrayScene(
         title=scene.title,
         scene_hash=identity,

@@ -42,7 +42,14 @@ def _opaque_parts(surface: Surface) -> list[tuple[float, str]]:
     mirror = _mirror(material, surface.exposure.share(material.reflection), keep_energy=False)
     if material.emission is None:
         return [
-            (1.0, _texture(coloured(material.diffuse, surface, 1.0, light=False), _finish(surface.scatters, mirror)))
+            (
+                1.0,
+                _texture(
+                    coloured(material.diffuse, surface, 1.0, light=False),
+                    _normal(surface),
+                    _finish(surface.scatters, mirror),
+                ),
+            )
         ]
     if not material.is_diffuse and not mirror:
         return list(_glow(surface, 1.0))
@@ -83,10 +90,10 @@ def _clear(surface: Surface, share: float) -> str:
     """Mirrors and refracts all light: r / s and t / s, or by Fresnel."""
     material, exposure = surface.material, surface.exposure
     if material.fresnel:
-        return _texture("rgb 1 filter 1", _finish("reflection { 0, 1 fresnel on } conserve_energy"))
+        return _texture("rgb 1 filter 1", _normal(surface), _finish("reflection { 0, 1 fresnel on } conserve_energy"))
     transmission = _times(exposure.share(material.transmission), 1 / share)
     mirror = _mirror(material, _times(exposure.share(material.reflection), 1 / share), keep_energy=False)
-    return _texture(f"{rgb(transmission)} filter 1", _finish(mirror))
+    return _texture(f"{rgb(transmission)} filter 1", _normal(surface), _finish(mirror))
 
 
 def _layered_glass(surface: Surface) -> str:
@@ -100,13 +107,14 @@ def _layered_glass(surface: Surface) -> str:
     )
     lower = material.diffuse if material.is_diffuse else material.emission
     if lower is None:
-        return _texture(f"{rgb(pool)} filter 1", _finish(mirror))
+        return _texture(f"{rgb(pool)} filter 1", _normal(surface), _finish(mirror))
     # Divide the lower layer by what the filter above takes from it, channel by channel.
     above = tuple(max(value / LAYER_SHARE, DARKEST_FILTER) for value in pool)
     below = tuple(1 / (value * (1 - LAYER_SHARE)) for value in above)
     look = surface.scatters if material.is_diffuse else "emission 1"
     scatter = coloured(lower, surface, below, light=not material.is_diffuse, suffix=f" transmit {number(LAYER_SHARE)}")
-    return "\n".join([_texture(scatter, _finish(look, mirror)), _texture(f"{rgb(above)} filter 1", _finish())])
+    normal = _normal(surface)
+    return "\n".join([_texture(scatter, normal, _finish(look, mirror)), _texture(f"{rgb(above)} filter 1", normal)])
 
 
 # --- text -----------------------------------------------------------------------------------------------------------
@@ -120,8 +128,13 @@ def _mirror(material: Material, colour: Triplet, *, keep_energy: bool) -> str:
     return f"reflection {{ {rgb(colour)} }}"
 
 
-def _texture(pigment: str, finish: str) -> str:
-    return block("texture", [f"pigment {{ {pigment} }}", finish])
+def _texture(pigment: str, *others: str) -> str:
+    return block("texture", [f"pigment {{ {pigment} }}", *others])
+
+
+def _normal(surface: Surface) -> str:
+    """The bumps of a rough face, on its mirroring and refracting texture only."""
+    return surface.bumps.sdl if surface.bumps is not None else ""
 
 
 def _finish(*parts: str) -> str:

@@ -10,9 +10,11 @@ from vitrail.lower.povray.materials import texture_sdl
 from vitrail.lower.povray.meshes import Meshes, mesh_parts
 from vitrail.lower.povray.nesting import Cut
 from vitrail.lower.povray.normalise import Normalisation
+from vitrail.lower.povray.roughness import Bumps, bumps_of
 from vitrail.lower.povray.sdl import block, rgb
 from vitrail.lower.povray.shapes import Primitive, primitive
 from vitrail.lower.povray.surface import Surface
+from vitrail.optics.dispersion import reference_ior
 from vitrail.plan.plan import Plan
 from vitrail.scene.absorption import absorption_per_m
 from vitrail.scene.model import Ambient, Material, Object, Scene
@@ -45,7 +47,7 @@ class ObjectText:
         material = self.scene.material_of(item)
         shape = self._shape(item, placed)
         after = [
-            self._texture(material, placed, exposure),
+            *self._textures(material, placed, exposure),
             self._interior(material, exposure, is_shooting, shares_room),
             self._photons(material),
         ]
@@ -65,8 +67,19 @@ class ObjectText:
             return Primitive("mesh2", tuple(mesh_parts(self.meshes[item.name], self.units)))
         return primitive(placed, self.units)
 
-    def _texture(self, material: Material, placed: Placed, exposure: Exposure) -> str:
-        return texture_sdl(Surface(material, placed, exposure, self.units, self._has_ambient))
+    def _texture(self, material: Material, placed: Placed, exposure: Exposure, bumps: Bumps | None = None) -> str:
+        return texture_sdl(Surface(material, placed, exposure, self.units, self._has_ambient, bumps))
+
+    def _textures(self, material: Material, placed: Placed, exposure: Exposure) -> list[str]:
+        """The look of an object; rough glass looks different from inside."""
+        if material.roughness == 0 or not material.is_specular:
+            return [self._texture(material, placed, exposure)]
+        index = reference_ior(material)
+        outer = self._texture(material, placed, exposure, bumps_of(material, index, from_inside=False))
+        if not material.is_transmissive:
+            return [outer]
+        inner = self._texture(material, placed, exposure, bumps_of(material, index, from_inside=True))
+        return [outer, f"interior_{inner}"]
 
     @property
     def _has_ambient(self) -> bool:

@@ -34,6 +34,8 @@ SECOND_FLUX = 180 / 255
 """Flux of the second half's photons over the first's; its root, 0.840, is far from any ratio of small numbers."""
 JITTER = 1
 """Each photon anywhere in its cell; the default of 0.4 leaves rings that a round rim cuts unevenly, by 0.4 %."""
+MOST_WASTED = 64
+"""Shots for each photon that an aperture or a cone lets through, before the spacing gives in."""
 PHOTON_FILE = "photons.map"
 """The saved map, in the folder of the run; the only file name in a scene text, and ours."""
 MOST_GATHERED = 1 << 20
@@ -90,15 +92,17 @@ def photon_pass(
         what = "the scene has a caustic, and without photons POV-Ray lets light straight through glass"
         raise NotTranslatable([refusals.at(what, "ask for some photons, for example `photons=100000`", "lights")])
     balls = _targets(scene, meshes, units, refusals)
-    area = sum(_aimed_area(source, ball) for source in lights for ball in balls)
-    # Share the photons of the settings between the two halves and all bands.
+    # Share the photons of the settings between the two halves and all bands; count those that may leave their light.
     runs = (1 + 1 / SECOND_FLUX) * bands
+    useful = sum(_useful_area(source, ball) for source in lights for ball in balls)
+    shot = sum(_shot_area(source, ball) for source in lights for ball in balls)
+    area = max(useful, shot / MOST_WASTED)
     spacing = 2.0 ** round(math.log2(math.sqrt(area * runs / settings.photons)))
     return PhotonPass(
         spacing={"a": spacing, "b": spacing * math.sqrt(SECOND_FLUX)},
         gather_radius=units.length(settings.gather_radius_m),
         targets=balls,
-        expected_shot=area / spacing**2,
+        expected_shot=shot / spacing**2,
     )
 
 
@@ -119,15 +123,33 @@ def _targets(scene: Scene, meshes: Meshes, units: Normalisation, refusals: Refus
     return tuple(balls)
 
 
-def _aimed_area(source: Source, ball: Ball) -> float:
-    """Area at the target over which photons are spread, units squared; an aperture lets through only its own."""
+def _shot_area(source: Source, ball: Ball) -> float:
+    """Area at the target over which POV-Ray spreads its shots, units squared: all of the ball, whatever the light."""
+    if source.direction is not None:
+        return math.pi * ball.radius**2
+    distance = length(subtract(ball.centre, source.position))
+    return _cap(_half_angle(source, ball)) * distance**2
+
+
+def _useful_area(source: Source, ball: Ball) -> float:
+    """The part of it that an aperture or a cone lets through."""
     if source.direction is not None:
         return min(math.pi * ball.radius**2, source.aperture_area)
+    if source.cone is None:
+        return _shot_area(source, ball)
     distance = length(subtract(ball.centre, source.position))
-    if distance <= ball.radius:
-        return 4 * math.pi * ball.radius**2
-    half_angle = math.asin(ball.radius / distance)
-    return 2 * math.pi * (1 - math.cos(half_angle)) * distance**2
+    return min(_shot_area(source, ball), _cap(math.radians(source.cone.half_angle_deg)) * distance**2)
+
+
+def _half_angle(source: Source, ball: Ball) -> float:
+    """Half the angle that a ball fills, seen from a lamp; everything from inside."""
+    distance = length(subtract(ball.centre, source.position))
+    return math.pi if distance <= ball.radius else math.asin(ball.radius / distance)
+
+
+def _cap(half_angle: float) -> float:
+    """Solid angle of a cone."""
+    return 2 * math.pi * (1 - math.cos(half_angle))
 
 
 def photon_flux(source: Source, ball: Ball, spacing: float, strength: float) -> float:

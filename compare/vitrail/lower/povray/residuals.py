@@ -7,18 +7,19 @@ from dataclasses import dataclass
 
 from vitrail.lower.povray.certificate import RELATIVE, Certificate, Entry
 from vitrail.lower.povray.depth import LIMIT, TraceDepth
-from vitrail.lower.povray.exposure import Exposure, Triplet
 from vitrail.lower.povray.gaps import GAP, Shrunk
 from vitrail.lower.povray.indices import Indices
 from vitrail.lower.povray.lights import FADE_SHARE, Source
+from vitrail.lower.povray.material_residuals import material_entries, mirror_share
 from vitrail.lower.povray.modes import Mode
 from vitrail.lower.povray.nesting import Nesting, is_lossless
 from vitrail.lower.povray.normalise import Normalisation
 from vitrail.lower.povray.photon_residuals import photon_entries
 from vitrail.lower.povray.photons import PhotonPass
-from vitrail.lower.povray.surface import is_grey, specular_pool
+from vitrail.lower.povray.radiosity import radiosity_entries
+from vitrail.plan.budget import Quality
 from vitrail.plan.plan import Plan
-from vitrail.scene.model import Material, Scene
+from vitrail.scene.model import Scene
 from vitrail.scene.phenomenon import Phenomenon
 from vitrail.scene.vector import length
 
@@ -40,6 +41,7 @@ class Translation:
     shrunk: tuple[Shrunk, ...]
     indices: Indices
     nesting: Nesting
+    quality: Quality
 
 
 def certificate_of(translation: Translation) -> Certificate:
@@ -52,9 +54,9 @@ def certificate_of(translation: Translation) -> Certificate:
             *_cuts(translation),
             *_falloff(translation),
             *_depth(translation),
-            *_pools(translation),
             *_grids(translation),
-            *_dispersion(translation),
+            *_indirect(translation),
+            *material_entries(translation.scene, translation.mode, translation.indices),
             *photon_entries(
                 translation.scene, translation.mode, translation.units, translation.lights, translation.photons
             ),
@@ -147,7 +149,7 @@ def _depth(translation: Translation) -> Iterator[Entry]:
     if depth.is_proven:
         return
     chain = plan.chain
-    share = max(_mirror_share(material) for material in scene.materials.values() if material.is_specular)
+    share = max(mirror_share(material) for material in scene.materials.values() if material.is_specular)
     yield Entry(
         shown,
         "path",
@@ -157,49 +159,6 @@ def _depth(translation: Translation) -> Iterator[Entry]:
         RELATIVE,
         "POV-Ray has one counter; light mirrored more often than the scene allows still counts",
     )
-
-
-def _mirror_share(material: Material) -> float:
-    """What one reflection leaves at most of a path that also goes on by other ways: r, or R at normal incidence."""
-    if not material.fresnel:
-        return max(material.reflection)
-    index = material.ior or 1.0
-    return ((index - 1) / (index + 1)) ** 2
-
-
-def _pools(translation: Translation) -> Iterator[Entry]:
-    """Glass whose channels differ, in a run that shows all of them: total reflection and Fresnel miss s."""
-    if not translation.mode.shows_all_channels:
-        return
-    for index, material in enumerate(translation.scene.materials.values(), 1):
-        pool = specular_pool(material, Exposure())
-        if not material.is_transmissive or is_grey(pool):
-            continue
-        yield from _coloured_pool(index, material, pool)
-
-
-def _coloured_pool(index: int, material: Material, pool: Triplet) -> Iterator[Entry]:
-    least = min(pool)
-    yield Entry(
-        Phenomenon.TOTAL_INTERNAL_REFLECTION,
-        f"M{index}",
-        "total reflection keeps r + t",
-        "total reflection keeps 1",
-        1 - least,
-        RELATIVE,
-        "POV-Ray does not colour total reflection; render one channel at a time to have it exact",
-    )
-    if material.fresnel:
-        normal = _mirror_share(material)
-        yield Entry(
-            Phenomenon.COLOURED_TRANSMISSION,
-            f"M{index}",
-            "s (1 - R)",
-            "s (1 - s R)",
-            normal * (1 - least) / (1 - normal),
-            RELATIVE,
-            "conserve_energy takes the mirrored colour, s R, for R; given at normal incidence, two faces count twice",
-        )
 
 
 def _grids(translation: Translation) -> Iterator[Entry]:
@@ -218,21 +177,6 @@ def _grids(translation: Translation) -> Iterator[Entry]:
             )
 
 
-def _dispersion(translation: Translation) -> Iterator[Entry]:
-    """Slices have no error; the native law has that of its fit, and its own colours."""
-    mode, scene = translation.mode, translation.scene
-    if len(mode.bands) < 2:
-        return
-    for number, material in enumerate(scene.materials.values(), 1):
-        law = translation.indices.native_law(material)
-        if not material.is_dispersive or not material.is_transmissive:
-            continue
-        yield Entry(
-            Phenomenon.DISPERSION,
-            f"M{number}",
-            f"n in {len(mode.bands)} bands",
-            "one run a band" if law is None else "n = ior D^((555 - nm) / 350)",
-            0.0 if law is None else law.largest_residual,
-            "index",
-            mode.reason if law is None else "POV-Ray's law has two numbers; least squares over the bands",
-        )
+def _indirect(translation: Translation) -> Iterator[Entry]:
+    if translation.scene.transport.indirect == "photons":
+        yield from radiosity_entries(translation.scene, translation.quality)

@@ -15,7 +15,9 @@ from vitrail.lower.povray.nesting import Nesting
 from vitrail.lower.povray.normalise import Normalisation
 from vitrail.lower.povray.objects import ObjectText
 from vitrail.lower.povray.photons import PhotonPass
+from vitrail.lower.povray.radiosity import radiosity_sdl
 from vitrail.lower.povray.sdl import block, number, rgb
+from vitrail.plan.budget import Quality
 from vitrail.plan.plan import Plan
 from vitrail.scene.model import Ambient, Scene
 
@@ -33,6 +35,7 @@ class SceneText:
     placement: Placement
     nesting: Nesting
     objects: ObjectText
+    quality: Quality
 
     def sdl(self, half: str, exposure: Exposure, samples_across: int, photon_file: str) -> str:
         """The text; ``photon_file`` says what happens to the photon map, and without it there are no photons."""
@@ -66,6 +69,7 @@ class SceneText:
                 f"max_trace_level {self.depth.level}",
                 f"adc_bailout {number(self.depth.adc_bailout)}",
                 self._ambient(exposure),
+                radiosity_sdl(self.scene, self.quality, half) if self.scene.transport.indirect == "photons" else "",
                 self.photons.sdl(half, photon_file) if self.photons is not None and photon_file else "",
             ],
         )

@@ -2,23 +2,59 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
+from vitrail.lower.povray.radiosity import radiosity_refusals
 from vitrail.lower.povray.refusal import NotTranslatable, Refusals
-from vitrail.plan.budget import Settings
+from vitrail.lower.povray.roughness import WIDEST_TILT, bumps_of
+from vitrail.optics.dispersion import reference_ior
 from vitrail.plan.plan import Plan
 from vitrail.scene.diagnostic import Diagnostic
-from vitrail.scene.model import Scene
+from vitrail.scene.model import Material, Scene
 from vitrail.scene.phenomenon import Phenomenon
 
 
-def refuse_unsupported(scene: Scene, plan: Plan, settings: Settings, refusals: Refusals) -> None:
+def refuse_unsupported(scene: Scene, plan: Plan, refusals: Refusals) -> None:
     """Raises NotTranslatable with one diagnostic a place."""
-    found: list[Diagnostic] = []
-    for name, material in scene.materials.items():
-        if material.is_specular and material.roughness != 0 and plan.requires(Phenomenon.ROUGHNESS):
-            what = "roughness has no POV-Ray counterpart here yet"
-            found.append(refusals.at(what, "drop `roughness`", "materials", name, "roughness"))
-    if scene.transport.indirect == "photons" and plan.requires(Phenomenon.INDIRECT_LIGHT):
-        what = "indirect light by photons has no POV-Ray counterpart here yet"
-        found.append(refusals.at(what, "use `indirect: {ambient: ...}` or none", "transport", "indirect"))
+    found = [*_literal_readings(scene, plan, refusals), *_rough_faces(scene, refusals)]
+    if scene.transport.indirect == "photons":
+        found += radiosity_refusals(scene, refusals)
     if found:
         raise NotTranslatable(found)
+
+
+def _literal_readings(scene: Scene, plan: Plan, refusals: Refusals) -> Iterator[Diagnostic]:
+    """The paper's misprints bend and lose light in ways that POV-Ray does not know."""
+    paper = scene.paper
+    has_glass = any(material.is_transmissive for material in scene.materials.values())
+    readings = (
+        ("refraction", paper.refraction != "corrected" and has_glass),
+        ("tir", paper.tir != "reflect" and plan.requires(Phenomenon.TOTAL_INTERNAL_REFLECTION)),
+        ("literal_sum", paper.literal_sum and plan.requires(Phenomenon.ROUGHNESS)),
+    )
+    for key, is_refused in readings:
+        if is_refused:
+            what = f"POV-Ray cannot follow the literal reading `{key}` of the paper"
+            yield refusals.at(what, "render it with the tracer alone, or drop the switch", "paper", key)
+
+
+def _rough_faces(scene: Scene, refusals: Refusals) -> Iterator[Diagnostic]:
+    """Bumps tilt normals, and a tilt near a right angle is no face any more."""
+    for name, material in scene.materials.items():
+        if material.roughness == 0 or not material.is_specular:
+            continue
+        tilt = _widest_tilt(material)
+        if tilt > WIDEST_TILT:
+            what = (
+                f"this roughness at index {reference_ior(material):g} needs normals tilted by {tilt:.2g} rad on average"
+            )
+            yield refusals.at(what, "make it smoother, or the index farther from 1", "materials", name, "roughness")
+
+
+def _widest_tilt(material: Material) -> float:
+    """Root mean square tilt of the rougher side, radians; infinite where refraction cannot deflect at all."""
+    index = reference_ior(material)
+    if material.is_transmissive and index == 1:
+        return float("inf")
+    sides = [bumps_of(material, index, from_inside=side) for side in (False, True)]
+    return max(side.mean_tilt for side in sides if side is not None)

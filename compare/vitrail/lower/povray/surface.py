@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from vitrail.lower.povray.exposure import Exposure, Triplet
 from vitrail.lower.povray.normalise import Normalisation
+from vitrail.lower.povray.roughness import Bumps
 from vitrail.scene.model import Material
 from vitrail.scene.placement import Placed
 
@@ -22,6 +23,7 @@ class Surface:
     exposure: Exposure
     normalisation: Normalisation
     has_ambient: bool = False
+    bumps: Bumps | None = None
 
     @property
     def scatters(self) -> str:

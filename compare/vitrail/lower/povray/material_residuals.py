@@ -1,0 +1,103 @@
+"""What POV-Ray does differently with a material, as entries of the certificate."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from vitrail.lower.povray.certificate import RELATIVE, Entry
+from vitrail.lower.povray.exposure import Exposure, Triplet
+from vitrail.lower.povray.indices import Indices
+from vitrail.lower.povray.modes import Mode
+from vitrail.lower.povray.surface import is_grey, specular_pool
+from vitrail.scene.model import Ggx, Material, Scene
+from vitrail.scene.phenomenon import Phenomenon
+
+EQUATION_8_WIDTH = 0.06
+"""Largest deviation of the blur behind a pane from equation 8, measured for lambda = 0.2 against a random walk."""
+GGX_WIDTH = 0.15
+"""The same for GGX, whose tails bumps cut off."""
+
+
+def material_entries(scene: Scene, mode: Mode, indices: Indices) -> Iterator[Entry]:
+    """Shares, dispersion and roughness, material by material (M1 is the first of the scene)."""
+    for number, material in enumerate(scene.materials.values(), 1):
+        if not material.is_specular:
+            continue
+        if mode.shows_all_channels:
+            yield from _pool(f"M{number}", material)
+        if len(mode.bands) > 1:
+            yield from _dispersion(f"M{number}", material, mode, indices)
+        yield from _roughness(f"M{number}", material)
+
+
+def mirror_share(material: Material) -> float:
+    """What one reflection leaves at most of a path that also goes on by other ways: r, or R at normal incidence."""
+    if not material.fresnel:
+        return max(material.reflection)
+    index = material.ior or 1.0
+    return ((index - 1) / (index + 1)) ** 2
+
+
+def _pool(item: str, material: Material) -> Iterator[Entry]:
+    """Glass whose channels differ, in a run that shows all of them: total reflection and Fresnel miss s."""
+    pool = specular_pool(material, Exposure())
+    if not material.is_transmissive or is_grey(pool):
+        return
+    yield from _coloured_pool(item, material, pool)
+
+
+def _coloured_pool(item: str, material: Material, pool: Triplet) -> Iterator[Entry]:
+    least = min(pool)
+    yield Entry(
+        Phenomenon.TOTAL_INTERNAL_REFLECTION,
+        item,
+        "total reflection keeps r + t",
+        "total reflection keeps 1",
+        1 - least,
+        RELATIVE,
+        "POV-Ray does not colour total reflection; render one channel at a time to have it exact",
+    )
+    if material.fresnel:
+        normal = mirror_share(material)
+        yield Entry(
+            Phenomenon.COLOURED_TRANSMISSION,
+            item,
+            "s (1 - R)",
+            "s (1 - s R)",
+            normal * (1 - least) / (1 - normal),
+            RELATIVE,
+            "conserve_energy takes the mirrored colour, s R, for R; given at normal incidence, two faces count twice",
+        )
+
+
+def _dispersion(item: str, material: Material, mode: Mode, indices: Indices) -> Iterator[Entry]:
+    """Slices have no error; the native law has that of its fit, and its own colours."""
+    if not material.is_dispersive or not material.is_transmissive:
+        return
+    law = indices.native_law(material)
+    yield Entry(
+        Phenomenon.DISPERSION,
+        item,
+        f"n in {len(mode.bands)} bands",
+        "one run a band" if law is None else "n = ior D^((555 - nm) / 350)",
+        0.0 if law is None else law.largest_residual,
+        "index",
+        mode.reason if law is None else "POV-Ray's law has two numbers; least squares over the bands",
+    )
+
+
+def _roughness(item: str, material: Material) -> Iterator[Entry]:
+    """Lobes of equal width, made of turned normals."""
+    roughness = material.roughness
+    if roughness == 0:
+        return
+    is_ggx = isinstance(roughness, Ggx)
+    yield Entry(
+        Phenomenon.ROUGHNESS,
+        item,
+        f"GGX, alpha {roughness.ggx:g}" if isinstance(roughness, Ggx) else f"equation 8, lambda {roughness:g}",
+        "a mixture of bumps, far smaller than a pixel",
+        GGX_WIDTH if is_ggx else EQUATION_8_WIDTH,
+        RELATIVE,
+        "width of the blur; POV-Ray turns normals, so a mirror's lobe and grazing light differ more",
+    )
