@@ -64,7 +64,8 @@ def test_the_context_of_the_ball_lens_is_that_of_the_computation(written):
 
 def test_the_judge_can_read_every_scene(written):
     for name in written["scenes"]:
-        scene = load(ROOT / "scenes" / "calibration" / f"{name}.yaml").scene
+        (path,) = (ROOT / "scenes").rglob(f"{name}.yaml")
+        scene = load(path).scene
         truth = read_scene_truth(ROOT / "references", name, scene)
         for observation in scene.observe:
             assert truth.of(observation.name), f"{name} observes {observation.name} without a truth"

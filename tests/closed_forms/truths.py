@@ -86,7 +86,19 @@ WALL = ("0.9", "0.6", "0.3")
 GREY = ("0.18", "0.5", "0.9")
 TINT = ("0.9", "0.5", "0.2")
 
+PANELS = {
+    "near_left": ("0.9", "0.1", "0.05"),
+    "near_right": ("0.1", "0.7", "0.05"),
+    "far_left": ("0.05", "0.1", "0.6"),
+    "far_right": ("0.5", "0.5", "0.5"),
+}
+
 SCENES: dict[tuple[str, str, str], Computed] = {
+    **{
+        ("camera", panel, f"mean_radiance.{channel}"): lambda emission=emission: mpf(emission)
+        for panel, colours in PANELS.items()
+        for channel, emission in zip(CHANNELS, colours, strict=True)
+    },
     **_coloured("grey_card_directional", "card", "mean_radiance", tuple(_card(d) for d in GREY)),
     ("grey_card_directional", "card", "tilt.u"): lambda: mpf(0),
     ("grey_card_directional", "card", "tilt.v"): lambda: mpf(0),

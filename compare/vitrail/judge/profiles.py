@@ -24,8 +24,10 @@ def profiles_of(
 ) -> tuple[Profile, ...]:
     """Luminance along the observation's direction, or along both where it has none; none where the patch is cut off."""
     axes: tuple[Axis, ...] = ("u", "v") if observation.along is None else (observation.along,)
+    first = next(iter(samples.values()))
+    cells = {"u": first.u_m.size, "v": first.v_m.size}
     try:
-        return tuple(_profile(axis, samples, truth) for axis in axes)
+        return tuple(_profile(axis, samples, truth) for axis in axes if cells[axis] > 1)
     except MetricError:
         return ()
 
@@ -47,7 +49,7 @@ def _curve(axis: Axis, side: str, sample: PatchSamples) -> Curve:
     error: tuple[float, ...] = ()
     if sample.noise is not None:
         draw = luminance(profile(sample.noise, sample, axis)[1])
-        window = np.ones(NEIGHBOURS)
+        window = np.ones(min(NEIGHBOURS, draw.size))
         size = np.convolve(draw**2, window, mode="same") / np.convolve(np.ones_like(draw), window, mode="same")
         error = tuple(np.sqrt(size).tolist())
     return Curve(side=side, values=tuple(luminance(values).tolist()), standard_error=error)
