@@ -3,7 +3,6 @@
 #include "base/cpu_clock.h"
 #include "base/diagnostic.h"
 #include "base/parallel.h"
-#include "photon/pass.h"
 #include "render/tile.h"
 
 namespace vitrail {
@@ -11,10 +10,31 @@ namespace {
 
 bool has_photon_pass(const Scene& scene) { return scene.plan.caustic && scene.settings.photons > 0; }
 
+bool has_indirect_pass(const Scene& scene) {
+  return scene.transport.indirect == Indirect::photons && scene.plan.indirect_light && scene.settings.photons > 0;
+}
+
+void add(const PhotonStatistics& statistics, Rendering& result) {
+  result.ledger = statistics.ledger;
+  result.warnings.insert(result.warnings.end(), statistics.warnings.begin(), statistics.warnings.end());
+  result.cpu_s.photon_pass += statistics.trace_cpu_s;
+  result.cpu_s.photon_sort += statistics.sort_cpu_s;
+  result.counters.photons_emitted += statistics.emitted;
+  result.counters.photons_stored += statistics.stored;
+}
+
+void add(const IndirectMaps& maps, Rendering& result) {
+  result.warnings.insert(result.warnings.end(), maps.warnings.begin(), maps.warnings.end());
+  result.cpu_s.photon_pass += maps.trace_cpu_s;
+  result.cpu_s.photon_sort += maps.sort_cpu_s;
+  result.counters.photons_emitted += maps.emitted;
+  result.counters.photons_stored += maps.stored;
+}
+
 void refuse_what_cannot_work(const Scene& scene, const Intersector& intersector) {
   std::vector<Diagnostic> found;
-  if (has_photon_pass(scene) && !(scene.settings.gather_radius_m > 0)) {
-    found.push_back({"settings.gather_radius_m", "is not above 0, but the plan has a caustic pass",
+  if ((has_photon_pass(scene) || has_indirect_pass(scene)) && !(scene.settings.gather_radius_m > 0)) {
+    found.push_back({"settings.gather_radius_m", "is not above 0, but the plan has a photon pass",
                      "give the radius of the gather disc in metres"});
   }
   if (scene.settings.photons / 2 >= (std::uint64_t{1} << 32)) {
@@ -50,15 +70,14 @@ Rendering render(const Scene& scene, unsigned threads, Monitor& monitor) {
   result.cpu_s.build = thread_cpu_s() - start;
 
   // Send out the photons.
-  PhotonMaps maps;
+  LightMaps maps;
   if (has_photon_pass(scene)) {
-    maps = make_photon_maps(scene, intersector, threads, monitor);
-    result.ledger = maps.statistics.ledger;
-    result.warnings = maps.statistics.warnings;
-    result.cpu_s.photon_pass = maps.statistics.trace_cpu_s;
-    result.cpu_s.photon_sort = maps.statistics.sort_cpu_s;
-    result.counters.photons_emitted = maps.statistics.emitted;
-    result.counters.photons_stored = maps.statistics.stored;
+    maps.caustic = make_photon_maps(scene, intersector, threads, monitor);
+    add(maps.caustic.statistics, result);
+  }
+  if (has_indirect_pass(scene)) {
+    maps.indirect = make_indirect_maps(scene, intersector, threads, monitor);
+    add(maps.indirect, result);
   }
 
   // Look through every pixel.
@@ -85,6 +104,8 @@ std::uint64_t predicted_bytes(const Scene& scene, const Intersector& intersector
   if (has_photon_pass(scene)) {
     bytes += predicted_photon_bytes(scene.settings.photons, stored_per_photon(scene, intersector));
   }
+  // A walk in a white room stores a photon several times; in most rooms fewer than three.
+  if (has_indirect_pass(scene)) bytes += predicted_photon_bytes(scene.settings.photons, 3);
   return bytes;
 }
 

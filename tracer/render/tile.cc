@@ -16,12 +16,16 @@ constexpr int kLightSamplesPerPixel = 16;
 // The samples of one pixel: one through its centre, or two independent sets of Owen-Sobol points.
 struct PixelSampler {
   int per_half;
-  bool shared;  // one sample, which serves both halves
+  bool centred;  // one sample, through the centre, ...
+  bool shared;   // ... which serves both halves where nothing but the photons to gather tells them apart
 
-  explicit PixelSampler(int samples) : per_half(std::max(1, (samples + 1) / 2)), shared(samples <= 1) {}
+  explicit PixelSampler(const Scene& scene)
+      : per_half(std::max(1, (scene.settings.samples + 1) / 2)),
+        centred(scene.settings.samples <= 1),
+        shared(centred && scene.transport.indirect != Indirect::photons) {}
 
   std::array<double, 2> at(std::uint64_t seed, std::uint64_t pixel, int half, int sample) const {
-    if (shared) return {0.5, 0.5};
+    if (centred) return {0.5, 0.5};
     const Stream stream = stream_of(seed, Purpose::kPixel, pixel, static_cast<std::uint64_t>(half));
     return sobol_2d(stream, static_cast<std::uint32_t>(sample));
   }
@@ -34,8 +38,8 @@ class PixelRenderer {
       : context_(context),
         film_(film),
         statistics_(statistics),
-        sampler_(context.scene.settings.samples),
-        tracer_(context.scene, context.intersector) {}
+        sampler_(context.scene),
+        tracer_(context.scene, context.intersector, context.maps) {}
 
   void render(int x, int y, std::uint32_t pixel_in_tile, std::vector<GatherRequest>& requests) {
     const double share = 1.0 / sampler_.per_half;
@@ -72,6 +76,8 @@ class PixelRenderer {
     path.draw = {stream_of(scene.settings.seed, Purpose::kLightSample, pixel, static_cast<std::uint64_t>(half)),
                  static_cast<std::uint32_t>(sample)};
     path.rough = stream_of(scene.settings.seed, Purpose::kCameraRoughness, pixel, static_cast<std::uint64_t>(half));
+    path.around = stream_of(scene.settings.seed, Purpose::kFinalGather, pixel, static_cast<std::uint64_t>(half));
+    path.half = half;
     path.light_samples = std::max(1, kLightSamplesPerPixel / std::max(1, scene.settings.samples));
     tracer_.trace(path, result_);
     statistics_.counters.camera_rays += result_.rays;
@@ -123,7 +129,7 @@ TileStatistics render_tile(const TileContext& context, const Tile& tile, Film& f
   }
   const double looked = thread_cpu_s();
   statistics.camera_cpu_s = looked - start;
-  gather(context.maps, tile, requests, film);
+  gather(context.maps.caustic, tile, requests, film);
   for (const GatherRequest& request : requests) statistics.counters.gather_queries += request.both_halves ? 2 : 1;
   statistics.gather_cpu_s = thread_cpu_s() - looked;
   return statistics;

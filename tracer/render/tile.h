@@ -1,7 +1,6 @@
 #pragma once
 /// One tile of the image: look through every sample of every pixel, then gather photons for all of them at once.
 
-#include "photon/pass.h"
 #include "render/render.h"
 #include "render/whitted.h"
 
@@ -18,7 +17,7 @@ std::vector<Tile> tiles_of(const Image& image);
 struct TileContext {
   const Scene& scene;
   const Intersector& intersector;
-  const PhotonMaps& maps;
+  const LightMaps& maps;
 };
 
 struct TileStatistics {

@@ -4,8 +4,8 @@
 
 namespace vitrail {
 
-CameraTracer::CameraTracer(const Scene& scene, const Intersector& intersector)
-    : scene_(scene), intersector_(intersector) {
+CameraTracer::CameraTracer(const Scene& scene, const Intersector& intersector, const LightMaps& maps)
+    : scene_(scene), intersector_(intersector), maps_(maps) {
   for (const Material& material : scene.materials) {
     const auto& ior = material.ior_by_band;
     disperses_.push_back(std::any_of(ior.begin(), ior.end(), [&](double n) { return n != ior[0]; }));
@@ -70,10 +70,25 @@ void CameraTracer::scatter(const Look& look, const Arrival& arrival, const Inter
                                          arrival.hit.back(), path_.draw, path_.light_samples);
   result.shadow_rays += light.shadow_rays;
   result.radiance[look.layer] += reflected * light.irradiance;
-  if (scene_.transport.indirect == Indirect::ambient) {
-    result.radiance[Layer::indirect_light] += reflected * scene_.transport.ambient;
-  }
+  result.radiance[Layer::indirect_light] += reflected * indirect(look, arrival, event);
   if (scene_.plan.caustic) result.requests.push_back({{arrival.hit.point, event.facing_normal}, reflected});
+}
+
+// Constant ambient light, or what the global photon map and a look around say.
+Rgb CameraTracer::indirect(const Look& look, const Arrival& arrival, const Interaction& event) const {
+  if (!scene_.plan.indirect_light) return {};
+  switch (scene_.transport.indirect) {
+    case Indirect::none:
+      return {};
+    case Indirect::ambient:
+      return scene_.transport.ambient;
+    case Indirect::photons: {
+      const SeenPoint seen{arrival.hit.point, event.facing_normal, arrival.hit.back(),
+                           arrival.media,     look.band,           look.band_chosen};
+      return indirect_irradiance(scene_, intersector_, maps_, path_.half, seen, {path_.around, path_.draw.sample});
+    }
+  }
+  __builtin_unreachable();
 }
 
 // Replace the look by several convoluted ones at the first rough face of a path, and by one at the others [S eq. 8].

@@ -4,9 +4,8 @@
 #include <vector>
 
 #include "material/roughen.h"
-#include "photon/photon_map.h"
-#include "render/direct_light.h"
 #include "render/film.h"
+#include "render/indirect_light.h"
 
 namespace vitrail {
 
@@ -28,7 +27,9 @@ struct CameraPath {
   Ray ray;
   MediumSet media;  // the solids the camera is in
   LightDraw draw;   // random numbers of this sample: for lights ...
-  Stream rough;     // ... and for rough faces
+  Stream rough;     // ... for rough faces ...
+  Stream around;    // ... and for looks around
+  int half = 0;     // whose photons are asked for indirect light
   int light_samples = 1;
 };
 
@@ -41,7 +42,7 @@ struct PathResult {
 /// Follow every branch of a camera path to its end. Clears and refills `result`, which the caller keeps for its memory.
 class CameraTracer {
  public:
-  CameraTracer(const Scene& scene, const Intersector& intersector);
+  CameraTracer(const Scene& scene, const Intersector& intersector, const LightMaps& maps);
   void trace(const CameraPath& path, PathResult& result);
 
  private:
@@ -57,6 +58,7 @@ class CameraTracer {
     bool scattered = false;  // has met a rough face
     Layer layer = Layer::diffusion;
   };
+  Rgb indirect(const Look& look, const Arrival& arrival, const Interaction& event) const;
   void go_on(const Look& look, const Arrival& arrival, const Interaction& event, Rgb throughput);
   void meet(const Look& look, const Arrival& arrival, const Interaction& event, Rgb throughput);
   void scatter(const Look& look, const Arrival& arrival, const Interaction& event, Rgb throughput, PathResult& result);
@@ -65,6 +67,7 @@ class CameraTracer {
 
   const Scene& scene_;
   const Intersector& intersector_;
+  const LightMaps& maps_;
   Rgb sky_;                      // what a look into the open sees
   std::vector<bool> disperses_;  // by material: the index differs between bands
   CameraPath path_;

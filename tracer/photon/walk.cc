@@ -1,0 +1,75 @@
+#include "photon/walk.h"
+
+#include <algorithm>
+
+#include "light/sampling.h"
+#include "photon/flight.h"
+
+namespace vitrail {
+namespace {
+
+// The share of the light that a way on carries, in the channel where the result is strongest.
+double probability(Rgb weight, Rgb share) { return largest_channel(weight * share) / largest_channel(weight); }
+
+Vec3 cosine_direction(Vec3 normal, double u, double v) {
+  const UnitPoint point = unit_point(u, v);
+  const SurfaceFrame frame = surface_frame(normal);
+  const double height = std::sqrt(std::max(0.0, 1 - (point.x * point.x + point.y * point.y)));
+  return normalise(frame.u * point.x + frame.v * point.y + normal * height);
+}
+
+// At the first face that tells bands apart draw one of them, each as likely as the others.
+void choose_band(const Scene& scene, const Arrival& arrival, double u, Walk& walk, Interaction& event) {
+  const bool splits = !walk.band_chosen && event.transmit.exists &&
+                      (tells_bands_apart(scene, event.medium_before) || tells_bands_apart(scene, event.medium_after));
+  if (!splits) return;
+  const auto count = static_cast<double>(scene.bands.size());
+  walk.band = static_cast<std::uint32_t>(std::min(count - 1, u * count));
+  walk.band_chosen = true;
+  walk.weight *= scene.bands[walk.band].weight * count;
+  event = interact(scene, arrival.hit, walk.ray.direction, arrival.media, walk.band);
+}
+
+}  // namespace
+
+WayOn step(const Scene& scene, const Arrival& arrival, const StepSample& sample, bool may_scatter, Walk& walk) {
+  Interaction event = arrival.event;
+  choose_band(scene, arrival, sample[3], walk, event);
+  if (!(largest_channel(walk.weight) > 0)) return WayOn::none;
+  if (scene.plan.roughness && is_rough(event.roughness)) {
+    roughen(scene, arrival.hit, walk.ray.direction, arrival.media, walk.band, false, {sample[1], sample[2], sample[3]},
+            event);
+  }
+
+  // Draw a way on; what none of them carries ends here.
+  const double reflects = event.reflect.exists ? probability(walk.weight, event.reflect.weight) : 0;
+  const double transmits = event.transmit.exists ? probability(walk.weight, event.transmit.weight) : 0;
+  const double scatters = may_scatter ? probability(walk.weight, event.diffuse) : 0;
+  const double scale = std::max(1.0, reflects + transmits + scatters);
+  double u = sample[0] * scale;
+  const auto take = [&](const Branch& branch, double p) {
+    walk.ray = {arrival.hit.point, branch.direction};
+    walk.departures = branch.departures;
+    walk.media = branch.media;
+    walk.weight *= branch.weight * (scale / p);
+  };
+  if (u < reflects) {
+    take(event.reflect, reflects);
+    return ++walk.reflections <= scene.transport.max_reflections ? WayOn::reflect : WayOn::none;
+  }
+  u -= reflects;
+  if (u < transmits) {
+    take(event.transmit, transmits);
+    return ++walk.transmissions <= scene.transport.max_transmissions ? WayOn::transmit : WayOn::none;
+  }
+  u -= transmits;
+  if (u >= scatters) return WayOn::none;
+  walk.ray = {arrival.hit.point, cosine_direction(event.facing_normal, sample[1], sample[2])};
+  walk.departures = arrival.hit.back();
+  walk.media = arrival.media;
+  walk.weight *= event.diffuse * (scale / scatters);
+  walk.reflections = walk.transmissions = 0;
+  return WayOn::diffuse;
+}
+
+}  // namespace vitrail
