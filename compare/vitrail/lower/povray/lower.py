@@ -101,8 +101,9 @@ def lower_povray(scene: Scene, plan: Plan, settings: Settings, loaded: Loaded | 
     photons = photon_pass(scene, plan, settings, lights["a"], len(mode.bands), meshes, units, refusals)
     depth, placement = trace_depth(plan, settings.quality), with_gaps(scene, units)
     nesting = nesting_of(scene, units)
-    objects = ObjectText(scene, plan, units, photons is not None, indices, meshes, needs_media(scene, plan, nesting))
-    text = SceneText(scene, plan, units, lights, photons, depth, placement, nesting, objects, settings.quality)
+    has_media = needs_media(scene, plan, nesting)
+    objects = ObjectText(scene, plan, units, photons is not None, indices, meshes, nesting, has_media)
+    text = SceneText(scene, plan, units, lights, photons, depth, placement, objects, settings.quality)
     translation = Translation(
         scene=scene,
         plan=plan,

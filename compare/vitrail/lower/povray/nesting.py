@@ -1,27 +1,30 @@
 """Solids that share room: the one of higher priority rules there, which POV-Ray says with its set operations.
 
-POV-Ray keeps the media of a ray on a stack: entering the inner of two solids refracts by the ratio of their indices,
-and so does leaving it [P 7]. That is right for a bubble inside a block. Where solids only overlap, the lower one is cut
-by the higher one, made smaller by a hair, so that the faces of the higher one act and the hidden cut, at equal index,
-does not. Air inside glass (index 1, no share lost) is no solid at all: it is cut out exactly and left out.
+POV-Ray keeps the media of a ray on a stack. Entering a solid inside another refracts by the ratio of their indices and
+mirrors by it; leaving the inner one refracts right, but mirrors nothing, because its Fresnel term compares the inner
+index with itself [M]. So no face is ever left for another glass: the lower solid is cut by the higher one, made smaller
+by a hair, and light always enters. Going up it enters at the face of the higher one, going down at the cut, which has
+the looks of the higher one; the face that is crossed second, at equal index, is clear from its inside.
+
+Air inside glass (index 1, no share lost) is no solid at all: it is cut out exactly and left out.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
-import numpy as np
-
-from vitrail.lower.povray.gaps import GAP, smaller
+from vitrail.lower.povray.gaps import smaller
 from vitrail.lower.povray.normalise import Normalisation
-from vitrail.lower.povray.surface_points import surface_points
 from vitrail.plan.plan import Plan
 from vitrail.scene.absorption import absorption_per_m
-from vitrail.scene.inside import depth_in, is_solid
-from vitrail.scene.model import Material, Object, Scene
+from vitrail.scene.inside import is_solid
+from vitrail.scene.model import Object, Scene
 from vitrail.scene.overlap import overlap
 from vitrail.scene.phenomenon import Phenomenon
 from vitrail.scene.placement import Placed, place
+
+HAIR = 4e-4
+"""Units between the face of a higher solid and the cut in a lower one: four times what POV-Ray can tell apart [P 7]."""
 
 
 @dataclass(frozen=True)
@@ -30,35 +33,44 @@ class Cut:
 
     by: int
     placed: Placed
-    is_exact: bool
+    is_air: bool
 
 
 @dataclass(frozen=True)
 class Nesting:
-    """``cuts`` of each object in the scene's order; ``omitted`` objects are air; ``shares_room`` have others inside."""
+    """``cuts`` of each object in the scene's order; ``hosts`` are the glasses it cuts; ``omitted`` objects are air."""
 
     cuts: tuple[tuple[Cut, ...], ...]
+    hosts: tuple[tuple[int, ...], ...]
     omitted: frozenset[int]
-    shares_room: frozenset[int]
 
 
 def nesting_of(scene: Scene, units: Normalisation) -> Nesting:
     """Who is cut by whom."""
     air = frozenset(index for index, item in enumerate(scene.objects) if _is_air(scene, item))
-    cuts, sharing = [], set()
-    for index, item in enumerate(scene.objects):
-        found: list[Cut] = []
-        for other_index, other in enumerate(scene.objects):
-            if other_index == index or not _displaces(scene, other, item):
-                continue
-            sharing.add(index)
-            if other_index in air:
-                found.append(Cut(other_index, place(other), is_exact=True))
-            elif not _can_stay_nested(scene, item, other):
-                inner = smaller(place(other), GAP / units.scale)
-                found.append(Cut(other_index, inner or place(other), is_exact=inner is None))
-        cuts.append(tuple(found))
-    return Nesting(tuple(cuts), air, frozenset(sharing))
+    cuts = tuple(
+        tuple(
+            _cut(by, higher, by in air, units)
+            for by, higher in enumerate(scene.objects)
+            if by != index and _displaces(scene, higher, lower)
+        )
+        for index, lower in enumerate(scene.objects)
+    )
+    hosts = tuple(
+        tuple(
+            lower
+            for lower, found in enumerate(cuts)
+            if any(cut.by == index for cut in found) and scene.material_of(scene.objects[lower]).is_transmissive
+        )
+        for index in range(len(scene.objects))
+    )
+    return Nesting(cuts, hosts, air)
+
+
+def _cut(by: int, higher: Object, is_air: bool, units: Normalisation) -> Cut:
+    placed = place(higher)
+    inner = None if is_air else smaller(placed, HAIR / units.scale)
+    return Cut(by, inner or placed, is_air)
 
 
 def _displaces(scene: Scene, higher: Object, lower: Object) -> bool:
@@ -75,26 +87,8 @@ def _is_air(scene: Scene, item: Object) -> bool:
     return is_solid(item) and passes_all and (item.priority or 0) > 0
 
 
-def _can_stay_nested(scene: Scene, outer: Object, inner: Object) -> bool:
-    """Whether the stack alone is right: the inner one lies wholly inside, and the outer one absorbs nothing.
-
-    POV-Ray takes absorption from the solid that is hit, so that of the outer one would be lost before the inner one.
-    """
-    if max(absorption_per_m(scene.material_of(outer))) > 0:
-        return False
-    points = surface_points(place(inner), place(outer))
-    return bool(points) and bool((depth_in(outer, np.array(points, float)) > 0).all())
-
-
-def is_lossless(material: Material) -> bool:
-    """Whether a face with the same index on both sides takes nothing away: then a cut through such glass is unseen."""
-    share = [r + t for r, t in zip(material.reflection, material.transmission, strict=True)]
-    if material.fresnel:
-        return min(share) >= 1 - 1e-12 and not material.is_diffuse
-    return min(material.transmission) == 1
-
-
 def needs_media(scene: Scene, plan: Plan, nesting: Nesting) -> bool:
     """Whether some absorbing glass has other solids inside."""
-    materials = [scene.material_of(scene.objects[index]) for index in nesting.shares_room]
+    sharing = [item for item, cuts in zip(scene.objects, nesting.cuts, strict=True) if cuts]
+    materials = [scene.material_of(item) for item in sharing]
     return plan.requires(Phenomenon.ABSORPTION) and any(max(absorption_per_m(each)) > 0 for each in materials)

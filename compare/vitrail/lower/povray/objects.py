@@ -8,7 +8,7 @@ from vitrail.lower.povray.exposure import Exposure, Triplet
 from vitrail.lower.povray.indices import Indices
 from vitrail.lower.povray.materials import texture_sdl
 from vitrail.lower.povray.meshes import Meshes, mesh_parts
-from vitrail.lower.povray.nesting import Cut
+from vitrail.lower.povray.nesting import Cut, Nesting
 from vitrail.lower.povray.normalise import Normalisation
 from vitrail.lower.povray.roughness import Bumps, bumps_of
 from vitrail.lower.povray.sdl import block, rgb
@@ -19,7 +19,10 @@ from vitrail.plan.plan import Plan
 from vitrail.scene.absorption import absorption_per_m
 from vitrail.scene.model import Ambient, Material, Object, Scene
 from vitrail.scene.phenomenon import Phenomenon
-from vitrail.scene.placement import Placed
+from vitrail.scene.placement import Placed, place
+
+CLEAR = "texture { pigment { rgb 1 filter 1 } }"
+"""A face that does nothing at equal index."""
 
 
 @dataclass(frozen=True)
@@ -32,35 +35,43 @@ class ObjectText:
     has_photons: bool
     indices: Indices
     meshes: Meshes
+    nesting: Nesting
     has_media: bool = False
 
-    def sdl(
-        self,
-        item: Object,
-        placed: Placed,
-        exposure: Exposure,
-        is_shooting: bool,
-        cuts: tuple[Cut, ...] = (),
-        shares_room: bool = False,
-    ) -> str:
+    def sdl(self, index: int, placed: Placed, exposure: Exposure, is_shooting: bool) -> str:
         """The object in one run; ``placed`` is its shape, where a gap has been opened already."""
+        item, cuts = self.scene.objects[index], self.nesting.cuts[index]
         material = self.scene.material_of(item)
         shape = self._shape(item, placed)
         after = [
-            *self._textures(material, placed, exposure),
-            self._interior(material, exposure, is_shooting, shares_room),
+            *self._textures(index, placed, exposure),
+            self._interior(material, exposure, is_shooting, bool(cuts)),
             self._photons(material),
         ]
         if not cuts:
             return block(shape.keyword, [*shape.parts, *after])
-        # The faces that a cut leaves belong to the solid that cuts.
-        parts = [block(shape.keyword, shape.parts)]
-        for cut in cuts:
-            cutter = self.scene.material_of(self.scene.objects[cut.by])
-            look = cutter if material.is_transmissive else material
-            inner = primitive(cut.placed, self.units)
-            parts.append(block(inner.keyword, [*inner.parts, self._texture(look, cut.placed, exposure)]))
-        return block("difference", [*parts, *after])
+        parts = [self._cutter(cut, material, exposure) for cut in cuts]
+        return block("difference", [block(shape.keyword, shape.parts), *parts, *after])
+
+    def _cutter(self, cut: Cut, lower: Material, exposure: Exposure) -> str:
+        """What is taken out; its face belongs to the higher solid, and is clear from the inside of the lower one."""
+        inner = primitive(cut.placed, self.units)
+        if not lower.is_transmissive:
+            return block(inner.keyword, [*inner.parts, self._texture(lower, cut.placed, exposure)])
+        higher = self.scene.material_of(self.scene.objects[cut.by])
+        looks = [self._texture(higher, cut.placed, exposure)]
+        if not cut.is_air:
+            looks.append(f"interior_{CLEAR}")
+        return block(inner.keyword, [*inner.parts, *looks])
+
+    def _without(self, host: int, index: int) -> str:
+        """The room of a lower solid without those that other solids take from it."""
+        shape = self._shape(self.scene.objects[host], place(self.scene.objects[host]))
+        body = block(shape.keyword, shape.parts)
+        others = [primitive(cut.placed, self.units) for cut in self.nesting.cuts[host] if cut.by != index]
+        if not others:
+            return body
+        return block("difference", [body, *(block(other.keyword, other.parts) for other in others)])
 
     def _shape(self, item: Object, placed: Placed) -> Primitive:
         if item.name in self.meshes:
@@ -70,16 +81,21 @@ class ObjectText:
     def _texture(self, material: Material, placed: Placed, exposure: Exposure, bumps: Bumps | None = None) -> str:
         return texture_sdl(Surface(material, placed, exposure, self.units, self._has_ambient, bumps))
 
-    def _textures(self, material: Material, placed: Placed, exposure: Exposure) -> list[str]:
-        """The look of an object; rough glass looks different from inside."""
-        if material.roughness == 0 or not material.is_specular:
+    def _textures(self, index: int, placed: Placed, exposure: Exposure) -> list[str]:
+        """The look of an object; rough glass, and glass inside other glass, looks different from inside."""
+        material = self.scene.material_of(self.scene.objects[index])
+        if not material.is_specular:
             return [self._texture(material, placed, exposure)]
-        index = reference_ior(material)
-        outer = self._texture(material, placed, exposure, bumps_of(material, index, from_inside=False))
+        ior = reference_ior(material)
+        outer = self._texture(material, placed, exposure, bumps_of(material, ior, from_inside=False))
         if not material.is_transmissive:
             return [outer]
-        inner = self._texture(material, placed, exposure, bumps_of(material, index, from_inside=True))
-        return [outer, f"interior_{inner}"]
+        inner = self._texture(material, placed, exposure, bumps_of(material, ior, from_inside=True))
+        hidden = inner
+        for host in self.nesting.hosts[index]:
+            # Where the lower solid lies outside, light has left this one already when it meets this face.
+            hidden = block("texture", [block("object", [self._without(host, index), hidden, CLEAR])])
+        return [outer] if hidden == outer else [outer, f"interior_{hidden}"]
 
     @property
     def _has_ambient(self) -> bool:

@@ -12,7 +12,7 @@ from vitrail.lower.povray.indices import Indices
 from vitrail.lower.povray.lights import FADE_SHARE, Source
 from vitrail.lower.povray.material_residuals import material_entries, mirror_share
 from vitrail.lower.povray.modes import Mode
-from vitrail.lower.povray.nesting import Nesting, is_lossless
+from vitrail.lower.povray.nesting import HAIR, Nesting
 from vitrail.lower.povray.normalise import Normalisation
 from vitrail.lower.povray.photon_residuals import photon_entries
 from vitrail.lower.povray.photons import PhotonPass
@@ -102,23 +102,20 @@ def _gaps(translation: Translation) -> Iterator[Entry]:
 
 
 def _cuts(translation: Translation) -> Iterator[Entry]:
-    """Lower solids cut by higher ones; what is exact (air, lossless glass) needs no entry of its own size."""
-    scene, scale = translation.scene, translation.units.scale
+    """Lower solids cut by higher ones; air is cut out exactly."""
+    hair = HAIR / translation.units.scale
     for index, cuts in enumerate(translation.nesting.cuts):
         for cut in cuts:
-            if cut.is_exact:
-                continue
-            pair = [scene.material_of(scene.objects[each]) for each in (index, cut.by)]
-            lost = max(1 - min(material.transmission) for material in pair)
-            yield Entry(
-                Phenomenon.REFRACTION,
-                f"O{index + 1} cut by O{cut.by + 1}",
-                "the higher priority rules",
-                f"set difference, the hidden face {GAP / scale:.3g} m inside the higher one",
-                0.0 if all(is_lossless(material) for material in pair) else lost,
-                RELATIVE,
-                "at the hidden face the index stays the same; a share less than 1 would count there too",
-            )
+            if not cut.is_air:
+                yield Entry(
+                    Phenomenon.REFRACTION,
+                    f"O{index + 1} cut by O{cut.by + 1}",
+                    "one face where the higher priority begins",
+                    f"two, {hair:.3g} m apart",
+                    hair,
+                    "m",
+                    "light enters the higher solid at its own face and the lower one at the cut inside it",
+                )
 
 
 def _falloff(translation: Translation) -> Iterator[Entry]:

@@ -11,7 +11,6 @@ from vitrail.lower.povray.depth import TraceDepth
 from vitrail.lower.povray.exposure import Exposure, Triplet
 from vitrail.lower.povray.gaps import Placement
 from vitrail.lower.povray.lights import Source, light_sdl
-from vitrail.lower.povray.nesting import Nesting
 from vitrail.lower.povray.normalise import Normalisation
 from vitrail.lower.povray.objects import ObjectText
 from vitrail.lower.povray.photons import PhotonPass
@@ -33,7 +32,6 @@ class SceneText:
     photons: PhotonPass | None
     depth: TraceDepth
     placement: Placement
-    nesting: Nesting
     objects: ObjectText
     quality: Quality
 
@@ -49,12 +47,9 @@ class SceneText:
             camera_sdl(scene.camera, scene.image, samples_across, HALF_SHIFTS[half], self.units),
         ]
         lines += [light_sdl(source, exposure) for source in self.lights[half] if _shines(source, exposure)]
-        nesting = self.nesting
-        for index, (item, shape) in enumerate(zip(scene.objects, placed, strict=True)):
-            if index not in nesting.omitted:
-                shares_room = index in nesting.shares_room
-                cuts = nesting.cuts[index]
-                lines.append(self.objects.sdl(item, shape, exposure, is_shooting, cuts, shares_room))
+        for index, shape in enumerate(placed):
+            if index not in self.objects.nesting.omitted:
+                lines.append(self.objects.sdl(index, shape, exposure, is_shooting))
         return "\n".join(lines) + "\n"
 
     def has_light(self, half: str, exposure: Exposure) -> bool:
