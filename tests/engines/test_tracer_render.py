@@ -66,9 +66,9 @@ INTERRUPTED = """
 import sys
 from pathlib import Path
 from tests.engines.test_tracer_render import *
-scene = small(ROOT / "scenes" / "paper" / "figure_1.yaml")
+scene = check_file(ROOT / "scenes" / "paper" / "figure_1.yaml").scene_or_raise().scene
 plan = analyse(scene)
-settings = settings_for(scene, plan, "draft", samples=300, photons=0)
+settings = settings_for(scene, plan, "draft", samples=256, photons=0)
 told = []
 def progress(phase, done, total):
     if phase == "camera" and done >= 1 and not told:

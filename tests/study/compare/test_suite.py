@@ -184,7 +184,7 @@ def test_unusable_references_fail_before_anything_is_rendered(tmp_path: Path, ca
 def test_rates_are_per_cpu_second_and_compared(tmp_path: Path, card: Loaded) -> None:
     scene = only(run(tmp_path, [card]))
     tracer, povray = scene.engines
-    assert (tracer.photons_per_cpu_s, povray.photons_per_cpu_s) == (5000, 1000)
+    assert (tracer.photons_per_cpu_s, povray.photons_per_cpu_s) == (10_000, 2000)
     assert [speed.ratio for speed in scene.speed] == [5.0, 1.0]
 
 
