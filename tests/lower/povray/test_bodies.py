@@ -53,8 +53,8 @@ def through(objects: str, materials: str) -> float:
 
 def slab(name: str, low: float, high: float, material: str, priority: int = 0, half: int = 2) -> str:
     return (
-        f"- {{name: {name}, box: {{min: [-{half}, {low}, -{half}], max: [{half}, {high}, {half}]}}, material: {material},"
-        f" priority: {priority}}}"
+        f"- {{name: {name}, material: {material}, priority: {priority},"
+        f" box: {{min: [-{half}, {low}, -{half}], max: [{half}, {high}, {half}]}}}}"
     )
 
 
