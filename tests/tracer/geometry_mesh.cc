@@ -113,13 +113,17 @@ TEST(Mesh, DoesNotLeakAlongItsFaces) {
 std::string two_cubes() {
   std::string text = kCube;
   std::istringstream lines(kCube);
-  for (std::string kind, a, b, c, d; lines >> kind;) {
-    if (kind == "v") lines >> a >> b >> c, text += "v " + a + " " + std::to_string(std::stoi(b) + 4) + " " + c + "\n";
-    if (kind != "f") continue;
-    lines >> a >> b >> c >> d;
-    text += "f";
-    for (const std::string& corner : {a, b, c, d}) text += " " + std::to_string(std::stoi(corner) + 8);
-    text += "\n";
+  char line[80];
+  std::string kind;
+  for (int a, b, c, d; lines >> kind;) {
+    if (kind == "v") {
+      lines >> a >> b >> c;
+      std::snprintf(line, sizeof line, "v %d %d %d\n", a, b + 4, c);
+    } else {
+      lines >> a >> b >> c >> d;
+      std::snprintf(line, sizeof line, "f %d %d %d %d\n", a + 8, b + 8, c + 8, d + 8);
+    }
+    text += line;
   }
   return text;
 }
@@ -148,6 +152,14 @@ TEST(Mesh, IsLeftOnItsEdgeBeforeAnotherPartIsEntered) {
         }
       }
   }
+}
+
+TEST(Mesh, IsNotEnteredWhereARayStandsOutside) {
+  // On the upper side, a hair too low by rounding, going along it: the side face it seems to meet is not entered.
+  const Mesh cube(mesh_of(write_file("hair.obj", kCube)));
+  const Departure outside{0, 8, false};
+  ShapeHit hit;
+  EXPECT_TRUE(!cube.intersect({{1, 1 - 1e-16, 0.1}, {-1, 0, 0}}, &outside, hit) || hit.t > 1);
 }
 
 TEST(Mesh, IsTheSameByListAndByTree) {

@@ -55,8 +55,8 @@ TEST_P(EverySolid, IsEnteredAndLeftInTurn) {
       if (!intersect(solid, ray, departure, hit)) break;
       ++met;
       ASSERT_EQ(hit.entering, !inside) << name << " ray " << i << " step " << step;
-      ASSERT_GE(hit.t, 0);
-      if (hit.t > 1e-6) {  // well away from both ends the test by points has no rounding to fear
+      ASSERT_GT(hit.t, 0) << name;  // none of these rays meets an edge
+      if (hit.t > 1e-6) {           // well away from both ends the test by points has no rounding to fear
         ASSERT_EQ(contains(solid, ray.at(hit.t / 2)), inside) << name << " ray " << i;
       }
       const SurfacePoint at = surface(solid, ray.at(hit.t), hit.face);
