@@ -110,6 +110,7 @@ def _environment() -> jinja2.Environment:
         "words": page.words,
         "side": page.side_name,
         "key": page.verdict_key,
+        "row": page.row,
         "quantity": page.quantity,
         "percent": page.percent,
         "confidence": page.confidence,

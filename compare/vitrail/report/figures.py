@@ -9,11 +9,11 @@ from dataclasses import dataclass
 from markupsafe import Markup
 
 from vitrail.judge.comparison import Comparison, Profile
-from vitrail.report.page import number, quantity, side_name
+from vitrail.report.page import number, quantity, raised, side_name
 
 BAR_WIDTH, BAR_HEIGHT = 220, 26
-PLOT_WIDTH, PLOT_HEIGHT = 720, 260
-MARGIN_LEFT, MARGIN_RIGHT, MARGIN_TOP, MARGIN_BOTTOM = 58, 14, 12, 40
+PLOT_WIDTH, PLOT_HEIGHT = 560, 240
+MARGIN_LEFT, MARGIN_RIGHT, MARGIN_TOP, MARGIN_BOTTOM = 58, 14, 26, 40
 
 
 def interval_bar(comparison: Comparison) -> Markup:
@@ -44,7 +44,11 @@ def interval_bar(comparison: Comparison) -> Markup:
         f'height="{BAR_HEIGHT - 8}" rx="2"/>',
         f'<line class="zero" x1="{middle}" x2="{middle}" y1="2" y2="{BAR_HEIGHT - 2}"/>',
         f'<line class="reach" x1="{low}" x2="{max(high, low + 0.01)}" y1="{y}" y2="{y}"/>',
-        *(f'<line class="reach" x1="{end}" x2="{end}" y1="{y - 4}" y2="{y + 4}"/>' for end in (low, high)),
+        *(
+            f'<line class="reach" x1="{x(end)}" x2="{x(end)}" y1="{y - 4}" y2="{y + 4}"/>'
+            for end in (interval.low, interval.high)
+            if abs(end) <= span
+        ),
     ]
     if clipped:
         sign = 1 if comparison.difference > 0 else -1
@@ -117,7 +121,7 @@ def _frame(across: Axis, up: Axis, unit: str, along: str) -> list[str]:
     middle = (across.start + across.end) / 2
     parts.append(
         f'<text class="tick" x="{middle}" y="{PLOT_HEIGHT - 5}" text-anchor="middle">'
-        f"position along {along} ({word}); height: {unit}</text>"
+        f"position along {along} ({word}); height: {raised(unit)}</text>"
     )
     return parts
 
@@ -132,11 +136,10 @@ def _band(
 
 
 def _legend(sides: Sequence[str]) -> str:
-    """The sides' names with a piece of their line, in the upper right corner."""
+    """The sides' names with a piece of their line, in a row above the plot where no curve goes."""
     parts = []
-    for row, side in enumerate(sides):
-        y = MARGIN_TOP + 12 + 17 * row
-        x = PLOT_WIDTH - MARGIN_RIGHT - 128
-        parts.append(f'<line class="curve side-{side}" x1="{x}" x2="{x + 22}" y1="{y - 4}" y2="{y - 4}"/>')
-        parts.append(f'<text class="tick" x="{x + 30}" y="{y}">{side_name(side)}</text>')
+    for place, side in enumerate(sides):
+        x = MARGIN_LEFT + 130 * place
+        parts.append(f'<line class="curve side-{side}" x1="{x}" x2="{x + 22}" y1="10" y2="10"/>')
+        parts.append(f'<text class="tick" x="{x + 29}" y="14">{side_name(side)}</text>')
     return "".join(parts)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
 from typing import Any
 
 from vitrail.judge.comparison import Comparison, ObservationResult, Pair, Verdict
@@ -48,11 +49,45 @@ def quantity(value: float | None, unit: str, digits: int = 4) -> str:
     if value is None:
         return "–"
     if unit == "m" and value != 0:
-        scale, prefix = max((entry for entry in PREFIXES if entry[0] <= abs(value) * 1.0000001), default=PREFIXES[0])
+        scale, prefix = prefix_for(abs(value))
         return f"{number(value / scale, digits)}\u202f{prefix}m"
     if unit in ("", "1"):
         return number(value, digits)
-    return f"{number(value, digits)}\u202f{unit.translate(RAISED).replace('^', '')}"
+    return f"{number(value, digits)}\u202f{raised(unit)}"
+
+
+@dataclass(frozen=True)
+class Row:
+    """The numbers of one comparison in one unit, as they stand in the table."""
+
+    unit: str
+    value: str
+    ideal: str
+    difference: str
+    tolerance: str
+
+
+def row(comparison: Comparison) -> Row:
+    """All lengths of a row share the prefix that suits the largest of them."""
+    numbers = (comparison.value, comparison.ideal, comparison.difference, comparison.tolerance)
+    scale, unit = 1.0, "" if comparison.unit in ("", "1") else raised(comparison.unit)
+    if comparison.unit == "m":
+        scale, prefix = prefix_for(max(abs(each) for each in numbers))
+        unit = f"{prefix}m"
+    # A difference to the digits of the tolerance: what is far below it is no finding.
+    value, ideal = (number(each / scale) for each in numbers[:2])
+    return Row(unit, value, ideal, number(comparison.difference / scale, 3), number(comparison.tolerance / scale, 3))
+
+
+def prefix_for(size: float) -> tuple[float, str]:
+    """The scale and the prefix that leave a length between 1 and 1000."""
+    fitting = [entry for entry in PREFIXES if entry[0] <= size * 1.0000001]
+    return max(fitting) if fitting else (PREFIXES[0] if size > 0 else (1.0, ""))
+
+
+def raised(unit: str) -> str:
+    """A unit with its exponents raised: ``W sr^-1 m^-2`` becomes W sr⁻¹ m⁻²."""
+    return unit.translate(RAISED).replace("^", "")
 
 
 def percent(value: float) -> str:
@@ -101,18 +136,22 @@ def by_pair(observation: ObservationResult) -> list[tuple[Pair, list[Comparison]
     return [(pair, comparisons) for pair, comparisons in grouped if comparisons]
 
 
-def headline(scene: SceneResult) -> list[tuple[ObservationResult, Comparison]]:
-    """The comparisons a reader must see first: everything that deviates, or else everything in doubt."""
-    for verdict in (Verdict.DEVIATES, Verdict.INCONCLUSIVE):
-        found = [
-            (entry, comparison)
-            for entry in scene.observations
-            for comparison in entry.comparisons
-            if comparison.verdict is verdict
-        ]
-        if found:
-            return found
-    return []
+def headline(scene: SceneResult) -> list[tuple[ObservationResult, Comparison, int]]:
+    """What a reader must see first: of every observation with the scene's verdict the comparison that is furthest off,
+    and how many more there are; nothing for a scene that agrees."""
+    found = []
+    for observation in scene.observations:
+        if observation.verdict is Verdict.AGREES or observation.verdict is not scene.verdict:
+            continue
+        same = [entry for entry in observation.comparisons if entry.verdict is observation.verdict]
+        if same:
+            found.append((observation, max(same, key=_distance), len(same) - 1))
+    return found
+
+
+def _distance(comparison: Comparison) -> float:
+    """How far a difference is from its ideal, in tolerances."""
+    return abs(comparison.difference) / max(comparison.tolerance, 1e-300)
 
 
 def flat(record: Mapping[str, Any], prefix: str = "") -> list[tuple[str, Any]]:

@@ -134,7 +134,7 @@
     } else if (!VITRAIL.get("pixel") && at.pixel) probe(at.pixel, false);
   });
   element.addEventListener("pointerdown", (event) => {
-    if (event.target.id === "slider" || event.button !== 0) return;
+    if (event.target.closest("input, button") || event.button !== 0) return;
     drag = { x: event.clientX, y: event.clientY, centre: [...stage.centre], moved: false };
     element.setPointerCapture(event.pointerId);
   });
