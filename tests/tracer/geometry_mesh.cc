@@ -1,66 +1,16 @@
-/// Triangles: files read and refused, closed surfaces without leaks, the same hits by list and by tree.
+/// Triangles: closed surfaces without leaks, the same hits by list and by tree.
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <fstream>
 #include <sstream>
 
-#include "base/diagnostic.h"
-#include "build_scene.h"
+#include "build_mesh.h"
 #include "geometry/accel.h"
 #include "geometry/mesh.h"
 #include "geometry/mesh_file.h"
 
 namespace vitrail {
 namespace {
-
-std::string write_file(const std::string& name, const std::string& content) {
-  const std::string path = testing::TempDir() + "vitrail_" + std::to_string(getpid()) + "_" + name;
-  std::ofstream(path, std::ios::binary) << content;
-  return path;
-}
-
-/// A cube of half edge 1 with two triangles a side.
-const char* const kCube =
-    "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n"
-    "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
-
-/// A ball of latitude and longitude, `steps` from pole to pole, as OBJ text.
-std::string ball_text(int steps) {
-  std::string text = "v 0 1 0\n";
-  char line[200];
-  for (int i = 1; i < steps; ++i)
-    for (int j = 0; j < 2 * steps; ++j) {
-      const double polar = kPi * i / steps, turn = kPi * j / steps;
-      std::snprintf(line, sizeof line, "v %.17g %.17g %.17g\n", std::sin(polar) * std::cos(turn), std::cos(polar),
-                    -std::sin(polar) * std::sin(turn));
-      text += line;
-    }
-  text += "v 0 -1 0\n";
-  const auto at = [&](int i, int j) {
-    if (i == 0) return 1;
-    if (i == steps) return 2 + (steps - 1) * 2 * steps;
-    return 2 + (i - 1) * 2 * steps + j % (2 * steps);
-  };
-  for (int i = 0; i < steps; ++i)
-    for (int j = 0; j < 2 * steps; ++j) {
-      const int a = at(i, j), b = at(i + 1, j), c = at(i + 1, j + 1), d = at(i, j + 1);
-      if (i > 0) text += "f " + std::to_string(a) + " " + std::to_string(b) + " " + std::to_string(d) + "\n";
-      if (i + 1 < steps) text += "f " + std::to_string(d) + " " + std::to_string(b) + " " + std::to_string(c) + "\n";
-    }
-  return text;
-}
-
-MeshShape mesh_of(const std::string& path, bool smooth = false, const Frame& frame = {}) {
-  return {path, smooth, frame};
-}
-
-Scene scene_of(const MeshShape& shape) {
-  SceneBuilder builder;
-  builder.add("mesh", shape, builder.add(glass(1.5)));
-  return builder.scene;
-}
 
 /// Go straight through; whatever is met on the way, the end is outside.
 void expect_no_leak(const Intersector& intersector, Ray ray, int& hits) {
@@ -207,60 +157,6 @@ TEST(Mesh, KnowsWhatItContains) {
     if (std::abs(length(p) - 1) < 0.03) continue;  // facets lie up to 1 - cos(8 degrees) inside the ball
     EXPECT_EQ(ball.contains(p), length(p) < 1);
   }
-}
-
-TEST(MeshFile, ReadsTheSameFromTextAndBytes) {
-  const std::string header =
-      "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
-      "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
-  const MeshData text = read_mesh_file(
-      write_file("a.ply", "ply\nformat ascii 1.0\ncomment x\n" + header + "0 0 0.5\n1 0 0\n0 1 0\n3 0 1 2\n"));
-  std::string bytes = "ply\nformat binary_little_endian 1.0\n" + header;
-  for (const float value : {0.f, 0.f, .5f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f})
-    bytes.append(reinterpret_cast<const char*>(&value), 4);
-  bytes += '\3';
-  for (const std::int32_t value : {0, 1, 2}) bytes.append(reinterpret_cast<const char*>(&value), 4);
-  const MeshData binary = read_mesh_file(write_file("b.PLY", bytes));
-  EXPECT_EQ(text.vertices, binary.vertices);
-  EXPECT_EQ(text.triangles, binary.triangles);
-  EXPECT_EQ(text.vertices[0], (Vec3{0, 0, 0.5}));
-  const MeshData cube = read_mesh_file(write_file("c.obj", kCube));
-  EXPECT_EQ(cube.triangles.size(), 12u);
-}
-
-TEST(MeshFile, RefusesWhatItCannotUse) {
-  const char* const wrong[][2] = {
-      {"missing.stl", "solid"},
-      {"a.obj", "v 1 2\n"},
-      {"b.obj", "v 0 0 0\nf 1 2 3\n"},
-      {"c.obj", "v 0 0 0\nf 1 1\n"},
-      {"d.obj", "v 0 0 nan\n"},
-      {"e.obj", ""},
-      {"f.ply", ""},
-      {"g.ply", "ply\nend_header\n"},
-      {"h.ply", "ply\nformat ascii 1.0\n"},
-      {"i.ply", "ply\nformat binary_big_endian 1.0\nend_header\n"},
-      {"j.ply", "ply\nformat ascii 1.0\nelement vertex 99999999999\nend_header\n"},
-      {"k.ply", "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nend_header\n1\n"},
-      {"l.ply", "ply\nformat ascii 1.0\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n3 0 1 2\n"},
-      {"m.obj", "v 0 0 0\nv 1 1 1\nv 2 2 2\nf 1 2 3\n"}};
-  for (const auto& [name, content] : wrong) EXPECT_THROW(Mesh(mesh_of(write_file(name, content))), InputError) << name;
-  EXPECT_THROW(read_mesh_file("/does/not/exist.ply"), InputError);
-}
-
-TEST(MeshFile, GlassMustBeClosedAndOutward) {
-  std::string open = kCube, inverted = "";
-  open.erase(open.rfind("f "));
-  EXPECT_THROW(Intersector{scene_of(mesh_of(write_file("open.obj", open)))}, InputError);
-  std::istringstream lines(kCube);
-  for (std::string kind, a, b, c, d; lines >> kind;) {
-    if (kind == "v") lines >> a >> b >> c, inverted += "v " + a + " " + b + " " + c + "\n";
-    if (kind == "f") lines >> a >> b >> c >> d, inverted += "f " + d + " " + c + " " + b + " " + a + "\n";
-  }
-  EXPECT_THROW(Intersector{scene_of(mesh_of(write_file("inverted.obj", inverted)))}, InputError);
-  Scene opaque = scene_of(mesh_of(write_file("open.obj", open)));
-  opaque.materials[0] = diffuse(0.5);
-  EXPECT_NO_THROW(Intersector{opaque});
 }
 
 }  // namespace

@@ -8,10 +8,9 @@ bool cut_slab(Span& span, double origin, double direction, double low, double hi
               std::uint32_t face_high, const Departure* left) {
   const bool from_low = departs_from(left, face_low), from_high = departs_from(left, face_high);
   if (direction == 0) return left != nullptr || (low < origin && origin < high);
-  const double t_low = from_low ? 0.0 : (low - origin) / direction;
-  const double t_high = from_high ? 0.0 : (high - origin) / direction;
+  const double t_low = (low - origin) / direction, t_high = (high - origin) / direction;
 
-  // Never let the face that is left end the span: a ray inside goes out by another one.
+  // The face that is left bounds nothing: a ray inside goes out by another one.
   const bool upward = direction > 0;
   if (upward ? !from_low : !from_high) span.enter(upward ? t_low : t_high, upward ? face_low : face_high);
   if (upward ? !from_high : !from_low) span.leave(upward ? t_high : t_low, upward ? face_high : face_low);

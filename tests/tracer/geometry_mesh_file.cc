@@ -1,0 +1,72 @@
+/// Mesh files: what is read, what is refused, and what glass asks of them.
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <sstream>
+
+#include "base/diagnostic.h"
+#include "build_mesh.h"
+#include "geometry/accel.h"
+#include "geometry/mesh.h"
+#include "geometry/mesh_file.h"
+
+namespace vitrail {
+namespace {
+
+TEST(MeshFile, ReadsTheSameFromTextAndBytes) {
+  const std::string header =
+      "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+  const MeshData text = read_mesh_file(
+      write_file("a.ply", "ply\nformat ascii 1.0\ncomment x\n" + header + "0 0 0.5\n1 0 0\n0 1 0\n3 0 1 2\n"));
+  std::string bytes = "ply\nformat binary_little_endian 1.0\n" + header;
+  for (const float value : {0.f, 0.f, .5f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f})
+    bytes.append(reinterpret_cast<const char*>(&value), 4);
+  bytes += '\3';
+  for (const std::int32_t value : {0, 1, 2}) bytes.append(reinterpret_cast<const char*>(&value), 4);
+  const MeshData binary = read_mesh_file(write_file("b.PLY", bytes));
+  EXPECT_EQ(text.vertices, binary.vertices);
+  EXPECT_EQ(text.triangles, binary.triangles);
+  EXPECT_EQ(text.vertices[0], (Vec3{0, 0, 0.5}));
+  const MeshData cube = read_mesh_file(write_file("c.obj", kCube));
+  EXPECT_EQ(cube.triangles.size(), 12u);
+}
+
+TEST(MeshFile, RefusesWhatItCannotUse) {
+  const char* const wrong[][2] = {
+      {"missing.stl", "solid"},
+      {"a.obj", "v 1 2\n"},
+      {"b.obj", "v 0 0 0\nf 1 2 3\n"},
+      {"c.obj", "v 0 0 0\nf 1 1\n"},
+      {"d.obj", "v 0 0 nan\n"},
+      {"e.obj", ""},
+      {"f.ply", ""},
+      {"g.ply", "ply\nend_header\n"},
+      {"h.ply", "ply\nformat ascii 1.0\n"},
+      {"i.ply", "ply\nformat binary_big_endian 1.0\nend_header\n"},
+      {"j.ply", "ply\nformat ascii 1.0\nelement vertex 99999999999\nend_header\n"},
+      {"k.ply", "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nend_header\n1\n"},
+      {"l.ply", "ply\nformat ascii 1.0\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n3 0 1 2\n"},
+      {"m.obj", "v 0 0 0\nv 1 1 1\nv 2 2 2\nf 1 2 3\n"}};
+  for (const auto& [name, content] : wrong) EXPECT_THROW(Mesh(mesh_of(write_file(name, content))), InputError) << name;
+  EXPECT_THROW(read_mesh_file("/does/not/exist.ply"), InputError);
+}
+
+TEST(MeshFile, GlassMustBeClosedAndOutward) {
+  std::string open = kCube, inverted = "";
+  open.erase(open.rfind("f "));
+  EXPECT_THROW(Intersector{scene_of(mesh_of(write_file("open.obj", open)))}, InputError);
+  std::istringstream lines(kCube);
+  for (std::string kind, a, b, c, d; lines >> kind;) {
+    if (kind == "v") lines >> a >> b >> c, inverted += "v " + a + " " + b + " " + c + "\n";
+    if (kind == "f") lines >> a >> b >> c >> d, inverted += "f " + d + " " + c + " " + b + " " + a + "\n";
+  }
+  EXPECT_THROW(Intersector{scene_of(mesh_of(write_file("inverted.obj", inverted)))}, InputError);
+  Scene opaque = scene_of(mesh_of(write_file("open.obj", open)));
+  opaque.materials[0] = diffuse(0.5);
+  EXPECT_NO_THROW(Intersector{opaque});
+}
+
+}  // namespace
+}  // namespace vitrail
