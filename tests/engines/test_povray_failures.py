@@ -112,7 +112,7 @@ def test_expected_photons_that_are_not_stored_are_a_failure() -> None:
     - {name: roof, box: {min: [-20, 2, -20], max: [20, 2.1, 20]}, material: floor}
     """
     loaded = scene("floor: {diffuse: 0.5}\nclear: {transmission: 1, ior: 1.5}", objects)
-    with pytest.raises(EngineFailure, match="photons and saved none"):
+    with pytest.raises(EngineFailure, match="photons and saved none with light"):
         rendered(loaded, photons=10_000)
 
 

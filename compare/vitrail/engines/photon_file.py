@@ -17,6 +17,7 @@ import numpy as np
 
 RECORD = np.dtype([("position", "<f4", 3), ("colour", "u1", 4), ("axis", "u1"), ("angles", "i1", 2), ("padding", "u1")])
 HEAD_BYTES = 4
+FAR_AWAY = 1e6
 FLUX_EXPONENT_BIAS = 258
 """flux = byte * 2^(exponent - 258)."""
 
@@ -32,6 +33,14 @@ def order_photon_file(path: Path) -> np.ndarray:
     ordered = ordered_tree(photons)
     path.write_bytes(raw[:HEAD_BYTES] + ordered.tobytes() + raw[HEAD_BYTES + photons.nbytes :])
     return ordered
+
+
+def write_dark_photon(path: Path) -> None:
+    """A map of one photon without light, far away: POV-Ray then knows photons, and shadows of glass stay dark."""
+    photon = np.zeros(1, RECORD)
+    photon["position"] = FAR_AWAY
+    empty_media_map = np.zeros(1, "<i4").tobytes()
+    path.write_bytes(np.ones(1, "<i4").tobytes() + photon.tobytes() + empty_media_map)
 
 
 def photons_of(raw: bytes) -> np.ndarray:

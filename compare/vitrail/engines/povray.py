@@ -16,7 +16,7 @@ import numpy as np
 from vitrail.engines.base import EngineFailure, Progress, Rendering, silent
 from vitrail.engines.child import Finished, Limits, run_child
 from vitrail.engines.isolate import Allowance, isolate
-from vitrail.engines.photon_file import PhotonFileError, fluxes_of, order_photon_file
+from vitrail.engines.photon_file import PhotonFileError, fluxes_of, order_photon_file, write_dark_photon
 from vitrail.engines.povray_output import complaint_of, progress_of, statistics_of, version_of
 from vitrail.engines.povray_result import Execution, Outcome, PhotonCensus, write_result
 from vitrail.images.exr import ImageError, read_image
@@ -87,6 +87,7 @@ class Povray:
                 shown.stop.set()
                 pool.shutdown(cancel_futures=True)
                 raise
+        self._check_photons(outcomes)
         return write_result(out_dir, lowered, outcomes, version, at_once, time.monotonic() - started)
 
     def _outcomes(self, lowered: PovrayScene, shown: _SharedProgress, pool: Executor) -> list[Outcome]:
@@ -139,23 +140,29 @@ class Povray:
             raise EngineFailure(self.name, f"it {finished.ending()}", DEFECT, complaint_of(output))
 
     def _census(self, shot: Execution, path: Path) -> PhotonCensus:
-        """Order the photon map and count it. An empty one gives a plausible, wrong picture [P 12.2]: raises then."""
+        """Order the photon map and count it.
+
+        Without a single photon POV-Ray writes no map, and would let light straight through glass [P 12.2]: a band or a
+        channel whose light goes elsewhere gets a photon without light instead.
+        """
         if not path.is_file():
-            remedy = "check that light reaches the glass and a surface behind it; its words follow"
-            what = (
-                f"it shot {shot.statistics.photons_shot} photons and saved none, so the picture would have no caustic"
-            )
-            raise EngineFailure(self.name, what, remedy, complaint_of(shot.output))
+            write_dark_photon(path)
+            return PhotonCensus(shot, 0, np.zeros(3), 0.0)
         started = time.thread_time()
         try:
             photons = order_photon_file(path)
         except PhotonFileError as error:
             raise EngineFailure(self.name, str(error), DEFECT, complaint_of(shot.output)) from None
-        fluxes = fluxes_of(photons)
-        if not fluxes.any():
-            what = f"it stored {len(photons)} photons without any light, so the picture would have no caustic"
-            raise EngineFailure(self.name, what, "check that light reaches the glass and a surface behind it")
-        return PhotonCensus(shot, len(photons), fluxes.sum(axis=0), time.thread_time() - started)
+        return PhotonCensus(shot, len(photons), fluxes_of(photons).sum(axis=0), time.thread_time() - started)
+
+    def _check_photons(self, outcomes: list[Outcome]) -> None:
+        """Photons that never arrive anywhere are a plausible, wrong picture [P 12.2]."""
+        found = [outcome.census for outcome in outcomes if outcome.census is not None]
+        if found and not any(census.flux.any() for census in found):
+            shot = sum(census.shot.statistics.photons_shot for census in found)
+            what = f"it shot {shot} photons and saved none with light, so the picture would have no caustic"
+            remedy = "check that light reaches the glass and a surface behind it; its words follow"
+            raise EngineFailure(self.name, what, remedy, complaint_of(found[0].shot.output))
 
     def _image(self, path: Path, run: PovrayRun, output: str) -> np.ndarray:
         """The run's image, (height, width, 3); raises EngineFailure when it is missing or not what was asked for."""

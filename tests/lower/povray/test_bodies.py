@@ -94,6 +94,20 @@ def test_air_inside_glass_is_taken_out_of_it() -> None:
     assert through(both, materials) == pytest.approx(0.25 * math.exp(-2 * 0.6), rel=HALF_FLOAT)
 
 
+def test_air_in_glass_that_overlaps_other_glass_keeps_its_own_faces() -> None:
+    """The upper glass has a look of its own from inside, which the faces of the air in it must not take over."""
+    materials = "glass: {transmission: 1, ior: 1.5, fresnel: true}\nair: {transmission: 1, ior: 1}"
+    bodies = [slab("a", 0, 0.4, "glass", 0), slab("b", 0.3, 0.8, "glass", 1), slab("c", 0.5, 0.6, "air", 2, half=1)]
+    expected = stack([face(1, 1.5), face(1.5, 1)])
+    assert through("\n".join(bodies), materials) == pytest.approx(expected, rel=HALF_FLOAT)
+
+
+def test_absorbing_glass_inside_clear_glass_absorbs_on_its_own_way_only() -> None:
+    materials = "dark: {transmission: 1, ior: 1.5, absorption_per_m: 3}\nclear: {transmission: 1, ior: 1.7}"
+    both = slab("a", 0, 0.8, "clear", 0) + "\n" + slab("b", 0.3, 0.5, "dark", 1, half=1)
+    assert through(both, materials) == pytest.approx(math.exp(-3 * 0.2), rel=HALF_FLOAT + 5e-4)
+
+
 def test_absorbing_glass_around_clear_glass_absorbs_on_its_own_way_only() -> None:
     """POV-Ray's own fade would forget the way up to the inner body."""
     materials = "dark: {transmission: 1, ior: 1.5, absorption_per_m: 3}\nclear: {transmission: 1, ior: 1.7}"

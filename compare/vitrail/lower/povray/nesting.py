@@ -44,6 +44,10 @@ class Nesting:
     hosts: tuple[tuple[int, ...], ...]
     omitted: frozenset[int]
 
+    def meets_glass(self, index: int) -> bool:
+        """Whether light in a solid may next hit the face of another: then its absorption is no matter of its own."""
+        return bool(self.cuts[index] or self.hosts[index])
+
 
 def nesting_of(scene: Scene, units: Normalisation) -> Nesting:
     """Who is cut by whom."""
@@ -88,7 +92,6 @@ def _is_air(scene: Scene, item: Object) -> bool:
 
 
 def needs_media(scene: Scene, plan: Plan, nesting: Nesting) -> bool:
-    """Whether some absorbing glass has other solids inside."""
-    sharing = [item for item, cuts in zip(scene.objects, nesting.cuts, strict=True) if cuts]
-    materials = [scene.material_of(item) for item in sharing]
+    """Whether some absorbing glass meets other glass."""
+    materials = [scene.material_of(item) for index, item in enumerate(scene.objects) if nesting.meets_glass(index)]
     return plan.requires(Phenomenon.ABSORPTION) and any(max(absorption_per_m(each)) > 0 for each in materials)

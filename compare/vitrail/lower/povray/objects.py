@@ -45,7 +45,7 @@ class ObjectText:
         shape = self._shape(item, placed)
         after = [
             *self._textures(index, placed, exposure),
-            self._interior(material, exposure, is_shooting, bool(cuts)),
+            self._interior(material, exposure, is_shooting, self.nesting.meets_glass(index)),
             self._photons(material),
         ]
         if not cuts:
@@ -59,10 +59,10 @@ class ObjectText:
         if not lower.is_transmissive:
             return block(inner.keyword, [*inner.parts, self._texture(lower, cut.placed, exposure)])
         higher = self.scene.material_of(self.scene.objects[cut.by])
-        looks = [self._texture(higher, cut.placed, exposure)]
-        if not cut.is_air:
-            looks.append(f"interior_{CLEAR}")
-        return block(inner.keyword, [*inner.parts, *looks])
+        look = self._texture(higher, cut.placed, exposure)
+        # Say both sides: a part without a look of its own for its inside takes that of the whole.
+        hidden = look if cut.is_air else CLEAR
+        return block(inner.keyword, [*inner.parts, look, f"interior_{hidden}"])
 
     def _without(self, host: int, index: int) -> str:
         """The room of a lower solid without those that other solids take from it."""
@@ -101,10 +101,10 @@ class ObjectText:
     def _has_ambient(self) -> bool:
         return isinstance(self.scene.transport.indirect, Ambient) and self.plan.requires(Phenomenon.INDIRECT_LIGHT)
 
-    def _interior(self, material: Material, exposure: Exposure, is_shooting: bool, shares_room: bool) -> str:
+    def _interior(self, material: Material, exposure: Exposure, is_shooting: bool, meets_glass: bool) -> str:
         """The index where light enters or Fresnel asks for it, and the absorption where the plan wants it.
 
-        ``interior`` absorbs only up to a face of its own solid; with others inside, a medium does, all along the ray.
+        POV-Ray's fade absorbs only up to a face of its own solid; where others are met, a medium does, all the way.
         """
         if not material.is_transmissive and not (material.fresnel and material.is_specular):
             return ""
@@ -112,7 +112,7 @@ class ObjectText:
         inside = ""
         if absorbing and max(absorption_per_m(material)) > 0:
             per_unit = exposure.share(self._absorption_per_unit(material))
-            inside = f"media {{ absorption {rgb(per_unit)} }}" if shares_room else _fade(per_unit)
+            inside = f"media {{ absorption {rgb(per_unit)} }}" if meets_glass else _fade(per_unit)
         interior = block("interior", [self.indices.sdl(material, exposure, is_shooting), inside])
         return f"{interior}\nhollow" if self.has_media and material.is_transmissive else interior
 
