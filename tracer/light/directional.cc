@@ -42,9 +42,7 @@ DirectionalChart aim(const DirectionalLight& light, const Target& target, const 
   return chart;
 }
 
-Emission emit(const DirectionalChart& chart, const EmissionSample& sample) {
-  if (chart.one_minus_cos == 0) return {{chart.window.at(sample.first), chart.direction}, chart.power};
-
+Emission emit_from_sun(const DirectionalChart& chart, const EmissionSample& sample) {
   // Turn the window to face the chosen direction of the sun's disc.
   const Vec3 direction = in_cone(chart.direction, surface_frame(chart.direction), chart.one_minus_cos, sample.second);
   const Window window = upstream_window(chart.target, direction, chart.surroundings);

@@ -19,6 +19,11 @@ struct DirectionalChart {
 };
 
 DirectionalChart aim(const DirectionalLight& light, const Target& target, const BoundingSphere& surroundings);
-Emission emit(const DirectionalChart& chart, const EmissionSample& sample);
+Emission emit_from_sun(const DirectionalChart& chart, const EmissionSample& sample);
+
+inline Emission emit(const DirectionalChart& chart, const EmissionSample& sample) {
+  if (chart.one_minus_cos > 0) return emit_from_sun(chart, sample);
+  return {{chart.window.at(sample.first), chart.direction}, chart.power};
+}
 
 }  // namespace vitrail

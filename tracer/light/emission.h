@@ -26,4 +26,21 @@ struct EmissionSample {
   UnitPoint first, second;
 };
 
+/// Some samples and the emissions they lead to.
+struct EmissionColumns {
+  static constexpr std::size_t kCapacity = PointColumns::kCapacity;
+  std::size_t count = 0;
+  PointColumns first, second;
+  std::array<std::array<double, kCapacity>, 3> origin, direction, power;
+
+  EmissionSample sample(std::size_t i) const { return {first.at(i), second.at(i)}; }
+  void set(std::size_t i, const Emission& emission) {
+    for (int a = 0; a < 3; ++a) {
+      origin[a][i] = emission.ray.origin[a];
+      direction[a][i] = emission.ray.direction[a];
+      power[a][i] = emission.power[a];
+    }
+  }
+};
+
 }  // namespace vitrail

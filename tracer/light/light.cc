@@ -81,4 +81,12 @@ Emission emit(const Chart& chart, const EmissionSample& sample) {
   return std::visit([&](const auto& domain) { return emit(domain, sample); }, chart.domain);
 }
 
+void emit(const Chart& chart, EmissionColumns& columns) {
+  std::visit(
+      [&](const auto& domain) {
+        for (std::size_t i = 0; i < columns.count; ++i) columns.set(i, emit(domain, columns.sample(i)));
+      },
+      chart.domain);
+}
+
 }  // namespace vitrail

@@ -35,5 +35,7 @@ std::vector<Chart> make_charts(const Scene& scene, const Targets& targets, std::
 bool needs_four(const Chart& chart);
 
 Emission emit(const Chart& chart, const EmissionSample& sample);
+/// Fill in the emissions of all samples; the second point of a sample is read only if the chart needs four coordinates.
+void emit(const Chart& chart, EmissionColumns& columns);
 
 }  // namespace vitrail

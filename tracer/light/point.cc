@@ -60,10 +60,4 @@ ConeChart aim(const SpotLight& light, const Target& target) {
   return chart;
 }
 
-Emission emit(const ConeChart& chart, const EmissionSample& sample) {
-  const Vec3 direction = in_cone(chart.axis, chart.frame, chart.one_minus_cos, sample.first);
-  const bool lit = dot(direction, chart.limit_axis) >= chart.limit_cos;
-  return {{chart.position, direction}, lit ? chart.power : Rgb{}};
-}
-
 }  // namespace vitrail

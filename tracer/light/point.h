@@ -20,6 +20,11 @@ struct ConeChart {
 
 ConeChart aim(const PointLight& light, const Target& target);
 ConeChart aim(const SpotLight& light, const Target& target);
-Emission emit(const ConeChart& chart, const EmissionSample& sample);
+
+inline Emission emit(const ConeChart& chart, const EmissionSample& sample) {
+  const Vec3 direction = in_cone(chart.axis, chart.frame, chart.one_minus_cos, sample.first);
+  const bool lit = dot(direction, chart.limit_axis) >= chart.limit_cos;
+  return {{chart.position, direction}, lit ? chart.power : Rgb{}};
+}
 
 }  // namespace vitrail

@@ -42,8 +42,23 @@ class PhotonLanes {
     states_[size_++] = state;
   }
 
+  /// Make `count` more, to be filled in through the columns from the returned place on.
+  std::size_t add_empty(std::size_t count) {
+    while (size_ + count > room_) grow();
+    const std::size_t first = size_;
+    size_ += count;
+    return first;
+  }
+  double* origin(int axis) { return column(axis); }
+  double* direction(int axis) { return column(3 + axis); }
+  double* flux_column(int channel) { return column(6 + channel); }
+  double* least_column() { return column(9); }
+  std::int64_t* departed() { return departed_.data(); }
+  PhotonState* states() { return states_.data(); }
+
   const double* origin(int axis) const { return column(axis); }
   const double* direction(int axis) const { return column(3 + axis); }
+  const double* least_column() const { return column(9); }
   const std::int64_t* departed() const { return departed_.data(); }
   const PhotonState* states() const { return states_.data(); }
 
@@ -57,6 +72,7 @@ class PhotonLanes {
  private:
   static constexpr std::size_t kColumns = 10;
 
+  double* column(int c) { return values_.data() + static_cast<std::size_t>(c) * room_; }
   const double* column(int c) const { return values_.data() + static_cast<std::size_t>(c) * room_; }
 
   void grow() {

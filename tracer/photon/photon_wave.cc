@@ -8,9 +8,6 @@
 namespace vitrail {
 namespace {
 
-// Photons under way at once: enough to fill the vectors, few enough to stay in the cache.
-constexpr std::size_t kAtOnce = 512;
-
 bool is_smooth(const Material& material) { return !is_rough(material.roughness); }
 
 bool is_sheet(const Shape& shape) {
@@ -44,6 +41,10 @@ PhotonWave::PhotonWave(const PhotonPass& pass, std::uint32_t target, Stream stre
   }
 }
 
+void PhotonWave::add(const Ray& ray, Rgb flux) {
+  now_.add(ray.origin, ray.direction, flux, kLeastPhotonShare * largest_channel(flux), kNoObject, {});
+}
+
 void PhotonWave::add(const Ray& ray, const MediumSet& media, Rgb flux) {
   const double least = kLeastPhotonShare * largest_channel(flux);
   if (media.size() > 1) {
@@ -53,7 +54,6 @@ void PhotonWave::add(const Ray& ray, const MediumSet& media, Rgb flux) {
   PhotonState state;
   if (media.size() == 1) state.medium = static_cast<std::int32_t>(media[0]);
   now_.add(ray.origin, ray.direction, flux, least, kNoObject, state);
-  if (now_.size() >= kAtOnce) finish();
 }
 
 // Let all photons under way have one event, then all their branches, and so on until none is left.

@@ -17,8 +17,10 @@ class PhotonWave {
 
   PhotonWave(const PhotonPass& pass, std::uint32_t target, Stream stream, PhotonBlock& block);
 
-  /// Take a photon as it leaves the light, inside no solid or inside `media`.
+  /// Take a photon as it leaves the light, in air or inside `media`.
+  void add(const Ray& ray, Rgb flux);
   void add(const Ray& ray, const MediumSet& media, Rgb flux);
+  std::size_t size() const { return now_.size(); }
   /// Follow all photons taken, and all their branches, to their ends.
   void finish();
 
@@ -54,9 +56,11 @@ class PhotonWave {
   void stop(const Group& group);
   void divide_by_band(Group& group);
   void divide(const Group& group);
-  void end(const Group& group, std::size_t i, Rgb left);
-  void send(const Group& group, std::size_t i, const std::array<BendLanes::Column, 3>& direction, Rgb flux,
-            bool passes);
+  void bend_all(const Group& group);
+  void store(const Group& group, std::size_t i);
+  void end(const Group& group);
+  void send(const Group& group, const std::array<BendLanes::Column, 3>& direction,
+            const std::array<BendLanes::Column, 3>& flux, bool passes);
 
   const PhotonPass& pass_;
   const Scene& scene_;
@@ -71,6 +75,7 @@ class PhotonWave {
   std::unique_ptr<RayChunk> rays_;
   std::unique_ptr<Group> group_;
   std::unique_ptr<BendLanes> bend_;
+  std::array<BendLanes::Column, 3> mirrored_, refracted_, left_;  // flux that goes each way, by channel
 };
 
 }  // namespace vitrail

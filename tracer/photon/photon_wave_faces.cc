@@ -1,6 +1,6 @@
 /// What happens to the photons of a wave at the faces they meet: absorbed on the way, divided, stored, sent on.
 
-#include <algorithm>
+#include <utility>
 
 #include "optics/absorption.h"
 #include "photon/photon_wave.h"
@@ -57,7 +57,7 @@ void PhotonWave::stop(const Group& group) {
   for (std::size_t i = 0; i < group.count; ++i) {
     const Rgb flux = group.flux_of(i);
     if (faces_[group.object].stores && now_.state(group.lane[i]).has_bounced()) {
-      block_.photons.push_back(make_photon(pass_.frame, group.point_of(i), group.normal_of(i), flux));
+      store(group, i);
       stored += flux;
     } else {
       absorbed += flux;
@@ -83,93 +83,134 @@ void PhotonWave::divide_by_band(Group& group) {
   }
 }
 
-// Divide the light as `interact` does for one face between air and one glass, or on something opaque.
-void PhotonWave::divide(const Group& group) {
+// Find the ways on from a face between air and one glass, or on something opaque.
+void PhotonWave::bend_all(const Group& group) {
   const Face& face = faces_[group.object];
   const Material& material = *face.material;
   BendLanes& bend = *bend_;
   bend.count = group.count;
   bend.normal = group.at.normal;
-  for (std::size_t i = 0; i < group.count; ++i) {
-    const std::size_t lane = group.lane[i];
-    for (int a = 0; a < 3; ++a) bend.direction[a][i] = now_.direction(a)[lane];
+  for (int a = 0; a < 3; ++a) {
+    const double* const direction = std::as_const(now_).direction(a);
+    for (std::size_t i = 0; i < group.count; ++i) bend.direction[a][i] = direction[group.lane[i]];
+  }
 
-    // The index on the arriving side, and behind the face; an opaque mirror has its own.
+  // The index on the arriving side, and behind the face; an opaque mirror has its own.
+  for (std::size_t i = 0; i < group.count; ++i) {
     const std::size_t band = group.band[i] < 0 ? 0 : static_cast<std::size_t>(group.band[i]);
-    double from = 1, from_minus_one = 0;
-    double to = material.ior_by_band[band], to_minus_one = material.ior_minus_one_by_band[band];
-    if (face.transmits && !group.entering) {
-      std::swap(from, to);
-      std::swap(from_minus_one, to_minus_one);
-    } else if (!face.transmits && now_.state(lane).medium != kNoObject) {
-      const Material& around = *faces_[static_cast<std::size_t>(now_.state(lane).medium)].material;
-      from = around.ior_by_band[band];
-      from_minus_one = around.ior_minus_one_by_band[band];
-    }
-    bend.ior_from[i] = from;
-    bend.ior_to[i] = to;
-    bend.ior_step[i] = to_minus_one - from_minus_one;
+    const double own = material.ior_by_band[band], own_minus_one = material.ior_minus_one_by_band[band];
+    const bool leaves = face.transmits && !group.entering;
+    bend.ior_from[i] = leaves ? own : 1;
+    bend.ior_to[i] = leaves ? 1 : own;
+    bend.ior_step[i] = leaves ? -own_minus_one : own_minus_one;
+    const std::int32_t around = now_.state(group.lane[i]).medium;
+    if (face.transmits || around == kNoObject) continue;
+    const Material& medium = *faces_[static_cast<std::size_t>(around)].material;
+    bend.ior_from[i] = medium.ior_by_band[band];
+    bend.ior_step[i] = own_minus_one - medium.ior_minus_one_by_band[band];
   }
   refract(bend);
   if (material.fresnel) find_shares(bend);
-  bool any_total = false;
-  for (std::size_t i = 0; i < bend.count; ++i) any_total = any_total | (bend.radicand[i] < 0);
-  if (face.mirrors || material.fresnel || any_total) mirror(bend);
+}
 
-  for (std::size_t i = 0; i < group.count; ++i) {
-    const Rgb flux = group.flux_of(i);
-    if (is_black(flux)) continue;
-    const bool beyond = bend.radicand[i] < 0, total = face.transmits && beyond;
-    Rgb mirrored = material.reflection, refracted = material.transmission;
-    if (total) {
-      mirrored = scene_.paper.tir_drop ? material.reflection : face.pool;
-    } else if (material.fresnel) {
-      mirrored = face.pool * (beyond ? 1 : bend.share_R[i]);
-      refracted = face.pool * (beyond ? 0 : bend.share_T[i]);
+// Divide the light as `interact` does: a fixed share each way, or the pool by Fresnel; all of the pool where the
+// reflection is total.
+void PhotonWave::divide(const Group& group) {
+  bend_all(group);
+  const Face& face = faces_[group.object];
+  const Material& material = *face.material;
+  const BendLanes& bend = *bend_;
+  const bool glass = face.transmits, by_fresnel = material.fresnel;
+  const bool drops = glass && scene_.paper.tir_drop, has_fixed_shares = !glass && !by_fresnel;
+  const Rgb beyond = drops || has_fixed_shares ? material.reflection : face.pool;
+  for (int c = 0; c < 3; ++c) {
+    const double pool = face.pool[c], r = material.reflection[c], t = glass ? material.transmission[c] : 0;
+    const double beyond_c = beyond[c];
+    const double* const flux = group.flux[c].data();
+    for (std::size_t i = 0; i < group.count; ++i) {
+      const bool total = bend.radicand[i] < 0;
+      const double mirrored = total ? beyond_c : by_fresnel ? pool * bend.share_R[i] : r;
+      const double refracted = total || !glass ? 0.0 : by_fresnel ? pool * bend.share_T[i] : t;
+      mirrored_[c][i] = flux[i] * mirrored;
+      refracted_[c][i] = flux[i] * refracted;
+      left_[c][i] = flux[i] - mirrored_[c][i] - refracted_[c][i];
     }
-    Rgb left = flux;
-    if (!is_black(mirrored)) {
-      const Rgb share = flux * mirrored;
-      left = left - share;
-      send(group, i, bend.mirrored, share, false);
-    }
-    if (face.transmits && !total && !is_black(refracted)) {
-      const Rgb share = flux * refracted;
-      left = left - share;
-      send(group, i, bend.refracted, share, true);
-    }
-    end(group, i, left);
   }
+
+  // Send on what there is.
+  bool any_total = false;
+  for (std::size_t i = 0; i < group.count; ++i) any_total = any_total | (bend.radicand[i] < 0);
+  if (face.mirrors || by_fresnel || any_total) {
+    mirror(*bend_);
+    send(group, bend.mirrored, mirrored_, false);
+  }
+  if (glass) send(group, bend.refracted, refracted_, true);
+  end(group);
+}
+
+void PhotonWave::store(const Group& group, std::size_t i) {
+  block_.photons.push_back(make_photon(pass_.frame, group.point_of(i), group.normal_of(i), group.flux_of(i)));
 }
 
 // Store what may be seen here, and book what goes no farther.
-void PhotonWave::end(const Group& group, std::size_t i, Rgb left) {
-  if (now_.state(group.lane[i]).has_bounced() && faces_[group.object].stores) {
-    block_.photons.push_back(make_photon(pass_.frame, group.point_of(i), group.normal_of(i), group.flux_of(i)));
-    block_.ledger.stored += left;
-  } else {
-    block_.ledger.absorbed += left;
+void PhotonWave::end(const Group& group) {
+  const bool stores = faces_[group.object].stores;
+  Rgb stored, absorbed;
+  for (std::size_t i = 0; i < group.count; ++i) {
+    const Rgb left{left_[0][i], left_[1][i], left_[2][i]};
+    if (stores && now_.state(group.lane[i]).has_bounced() && !is_black(group.flux_of(i))) {
+      store(group, i);
+      stored += left;
+    } else {
+      absorbed += left;
+    }
   }
+  block_.ledger.stored += stored;
+  block_.ledger.absorbed += absorbed;
 }
 
-void PhotonWave::send(const Group& group, std::size_t i, const std::array<BendLanes::Column, 3>& direction, Rgb flux,
-                      bool passes) {
-  const std::size_t from = group.lane[i];
-  PhotonState state = now_.state(from);
-  state.reflections = static_cast<std::int16_t>(state.reflections + !passes);
-  state.transmissions = static_cast<std::int16_t>(state.transmissions + passes);
-  const double least = now_.least(from);
-  if (state.reflections > scene_.transport.max_reflections ||
-      state.transmissions > scene_.transport.max_transmissions || !(largest_channel(flux) >= least)) {
-    block_.ledger.truncated += flux;
-    return;
+// Let the branches with enough flux and depth left join the next generation, column by column.
+void PhotonWave::send(const Group& group, const std::array<BendLanes::Column, 3>& direction,
+                      const std::array<BendLanes::Column, 3>& flux, bool passes) {
+  std::array<std::uint16_t, BendLanes::kCapacity> kept;
+  std::size_t count = 0;
+  const double* const least = std::as_const(now_).least_column();
+  for (std::size_t i = 0; i < group.count; ++i) {
+    const Rgb share{flux[0][i], flux[1][i], flux[2][i]};
+    const double largest = largest_channel(share);
+    const PhotonState& state = now_.state(group.lane[i]);
+    const bool goes_on = largest >= least[group.lane[i]] &&
+                         state.reflections + !passes <= scene_.transport.max_reflections &&
+                         state.transmissions + passes <= scene_.transport.max_transmissions;
+    kept[count] = static_cast<std::uint16_t>(i);
+    count += goes_on && largest > 0;
+    if (!goes_on) block_.ledger.truncated += share;
+  }
+
+  const std::size_t first = next_.add_empty(count);
+  for (int a = 0; a < 3; ++a) {
+    double *const origin_to = next_.origin(a) + first, *const direction_to = next_.direction(a) + first;
+    double* const flux_to = next_.flux_column(a) + first;
+    for (std::size_t k = 0; k < count; ++k) {
+      origin_to[k] = group.at.point[a][kept[k]];
+      direction_to[k] = direction[a][kept[k]];
+      flux_to[k] = flux[a][kept[k]];
+    }
   }
   const auto object = static_cast<std::int32_t>(group.object);
-  if (passes) state.medium = group.entering ? object : kNoObject;
-  state.departed_face = group.face[i];
-  state.band = group.band[i];
   const std::int64_t departed = 2 * static_cast<std::int64_t>(object) + (group.entering == passes ? 1 : 0);
-  next_.add(group.point_of(i), {direction[0][i], direction[1][i], direction[2][i]}, flux, least, departed, state);
+  const std::int32_t medium = group.entering ? object : kNoObject;
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t i = kept[k], from = group.lane[i];
+    PhotonState state = now_.state(from);
+    (passes ? state.transmissions : state.reflections) += 1;
+    if (passes) state.medium = medium;
+    state.departed_face = group.face[i];
+    state.band = group.band[i];
+    next_.least_column()[first + k] = least[from];
+    next_.departed()[first + k] = departed;
+    next_.states()[first + k] = state;
+  }
 }
 
 }  // namespace vitrail

@@ -1,7 +1,6 @@
 #include "photon/trace.h"
 
 #include <algorithm>
-#include <array>
 #include <memory>
 
 #include "photon/photon_tree.h"
@@ -18,78 +17,69 @@ class StartMedia {
       if (pass.scene.material_of(i).transmits()) boxes_.push_back(intersector_.object_bounds(i));
     }
   }
-  MediumSet at(Vec3 point) const {
+  bool is_outside(Vec3 point) const {
     for (const Bounds& box : boxes_) {
       const bool outside = point.x < box.min.x || point.y < box.min.y || point.z < box.min.z || point.x > box.max.x ||
                            point.y > box.max.y || point.z > box.max.z;
-      if (!outside) return intersector_.media_at(point);
+      if (!outside) return false;
     }
-    return {};
+    return true;
   }
+  MediumSet at(Vec3 point) const { return is_outside(point) ? MediumSet{} : intersector_.media_at(point); }
 
  private:
   const Intersector& intersector_;
   std::vector<Bounds> boxes_;
 };
 
-constexpr std::uint32_t kSamplesAtOnce = 256;
+// Photons under way at once: enough to fill the vectors to the last branch, few enough to stay in the cache.
+constexpr std::size_t kAtOnce = 256;
 
-// Points of a block in columns, so that vector instructions map them.
-struct PointColumns {
-  std::array<double, kSamplesAtOnce> a, b, x, y;
-
-  void map(std::uint32_t count) {
-    for (std::uint32_t i = 0; i < count; ++i) {
-      const UnitPoint point = unit_point(a[i], b[i]);
-      x[i] = point.x;
-      y[i] = point.y;
+// Draw the points, and map them all together.
+void draw(Stream stream, std::uint32_t first, std::size_t count, bool four, EmissionColumns& columns) {
+  columns.count = count;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::uint32_t index = first + static_cast<std::uint32_t>(i);
+    if (four) {
+      const auto u = sobol_4d(stream, index);
+      columns.first.a[i] = u[0];
+      columns.first.b[i] = u[1];
+      columns.second.a[i] = u[2];
+      columns.second.b[i] = u[3];
+    } else {
+      const auto u = sobol_2d(stream, index);
+      columns.first.a[i] = u[0];
+      columns.first.b[i] = u[1];
     }
   }
-  UnitPoint at(std::uint32_t i) const { return {a[i], b[i], x[i], y[i]}; }
-};
+  columns.first.map(count);
+  if (four) columns.second.map(count);
+}
 
-struct SampleColumns {
-  PointColumns first, second;
-  bool four = false;
-
-  void draw(Stream stream, std::uint32_t index, std::uint32_t count) {
-    for (std::uint32_t i = 0; i < count; ++i) {
-      if (four) {
-        const auto u = sobol_4d(stream, index + i);
-        first.a[i] = u[0];
-        first.b[i] = u[1];
-        second.a[i] = u[2];
-        second.b[i] = u[3];
-      } else {
-        const auto u = sobol_2d(stream, index + i);
-        first.a[i] = u[0];
-        first.b[i] = u[1];
-      }
-    }
-    first.map(count);
-    if (four) second.map(count);
-  }
-  EmissionSample at(std::uint32_t i) const { return {first.at(i), four ? second.at(i) : UnitPoint{}}; }
-};
-
-// Emit the photons of a block and hand each to `follow(ray, media, flux, index)`.
+// Emit the photons of a block and hand them on, some at a time, with the index of the first.
 template <typename Follow>
-void emit_block(const PhotonPass& pass, const Chart& chart, Stream stream, std::uint64_t first, std::uint64_t count,
-                const Follow& follow) {
+void emit_block(const Chart& chart, Stream stream, std::uint64_t first, std::uint64_t count, const Follow& follow) {
   const double share = 1 / static_cast<double>(chart.count);
-  const StartMedia media(pass);
-  const auto samples = std::make_unique<SampleColumns>();
-  samples->four = needs_four(chart);
-  for (std::uint64_t done = 0; done < count; done += kSamplesAtOnce) {
-    const auto size = static_cast<std::uint32_t>(std::min<std::uint64_t>(kSamplesAtOnce, count - done));
-    samples->draw(stream, static_cast<std::uint32_t>(first + done), size);
-    for (std::uint32_t i = 0; i < size; ++i) {
-      const Emission emission = emit(chart, samples->at(i));
-      if (is_black(emission.power)) continue;
-      follow(emission.ray, media.at(emission.ray.origin), emission.power * share,
-             static_cast<std::uint32_t>(first + done) + i);
+  const auto columns = std::make_unique<EmissionColumns>();
+  for (std::uint64_t done = 0; done < count; done += EmissionColumns::kCapacity) {
+    const auto size = static_cast<std::size_t>(std::min<std::uint64_t>(EmissionColumns::kCapacity, count - done));
+    const auto index = static_cast<std::uint32_t>(first + done);
+    draw(stream, index, size, needs_four(chart), *columns);
+    emit(chart, *columns);
+    for (auto& channel : columns->power) {
+      for (std::size_t i = 0; i < size; ++i) channel[i] *= share;
     }
+    follow(*columns, index);
   }
+}
+
+Ray ray_of(const EmissionColumns& columns, std::size_t i) {
+  return {{columns.origin[0][i], columns.origin[1][i], columns.origin[2][i]},
+          {columns.direction[0][i], columns.direction[1][i], columns.direction[2][i]}};
+}
+
+Rgb power_of(const EmissionColumns& columns, std::size_t i) {
+  return {columns.power[0][i], columns.power[1][i], columns.power[2][i]};
 }
 
 }  // namespace
@@ -99,19 +89,31 @@ PhotonBlock trace_photons(const PhotonPass& pass, const Chart& chart, Stream str
   PhotonBlock block;
   block.photons.reserve(count);
   const Stream on_the_way = within(stream, static_cast<std::uint64_t>(Purpose::kPhotonRoughness));
+  const StartMedia media(pass);
   if (way == PhotonWay::automatic && PhotonWave::suits(pass.scene)) {
     PhotonWave wave(pass, chart.target, on_the_way, block);
-    emit_block(pass, chart, stream, first, count,
-               [&](const Ray& ray, const MediumSet& inside, Rgb flux, std::uint32_t) { wave.add(ray, inside, flux); });
+    emit_block(chart, stream, first, count, [&](const EmissionColumns& columns, std::uint32_t) {
+      for (std::size_t i = 0; i < columns.count; ++i) {
+        const Rgb power = power_of(columns, i);
+        if (is_black(power)) continue;
+        const Ray ray = ray_of(columns, i);
+        media.is_outside(ray.origin) ? wave.add(ray, power) : wave.add(ray, media.at(ray.origin), power);
+      }
+      if (wave.size() >= kAtOnce) wave.finish();
+    });
     wave.finish();
   } else {
     PhotonTree tree(pass, chart.target, on_the_way, block);
-    emit_block(pass, chart, stream, first, count,
-               [&](const Ray& ray, const MediumSet& inside, Rgb flux, std::uint32_t index) {
-                 Flight flight{ray, {}, inside, flux, kLeastPhotonShare * largest_channel(flux)};
-                 flight.index = index;
-                 tree.follow(flight);
-               });
+    emit_block(chart, stream, first, count, [&](const EmissionColumns& columns, std::uint32_t index) {
+      for (std::size_t i = 0; i < columns.count; ++i) {
+        const Rgb power = power_of(columns, i);
+        if (is_black(power)) continue;
+        const Ray ray = ray_of(columns, i);
+        Flight flight{ray, {}, media.at(ray.origin), power, kLeastPhotonShare * largest_channel(power)};
+        flight.index = index + static_cast<std::uint32_t>(i);
+        tree.follow(flight);
+      }
+    });
   }
   return block;
 }
