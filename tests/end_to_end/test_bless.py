@@ -1,0 +1,60 @@
+"""From a first image to a regression: bless, compare against what was stored, accept by decisions."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from pathlib import Path
+
+import pytest
+
+from tests.end_to_end.conftest import ROOT
+from tests.end_to_end.test_command_line import vitrail
+
+CARD = ROOT / "scenes" / "calibration" / "grey_card_directional.yaml"
+
+
+@pytest.fixture
+def project(tmp_path: Path) -> Path:
+    """A copy of one scene with thresholds, so that nothing of ours is touched."""
+    (tmp_path / "references").mkdir()
+    shutil.copy(ROOT / "references" / "thresholds.yaml", tmp_path / "references")
+    shutil.copy(CARD, tmp_path / "card.yaml")
+    return tmp_path
+
+
+def test_a_reference_is_made_kept_and_held_against(project: Path) -> None:
+    scene = project / "card.yaml"
+    without = vitrail("compare", scene, "--against", "stored", "--out", project / "out")
+    assert without.returncode == 2 and "there is no stored reference" in without.stderr
+    refused = vitrail("bless", scene, "--quality", "draft")
+    assert refused.returncode == 2 and "needs its reason" in refused.stderr
+    shown = vitrail("bless", scene, "--because", "d E / pi", "--quality", "draft", "--dry-run")
+    assert shown.returncode == 0 and not (project / "references" / "card").exists()
+    blessed = vitrail("bless", scene, "--because", "d E / pi", "--quality", "draft")
+    assert blessed.returncode == 0 and "accepted:" in blessed.stdout
+    again = vitrail("bless", scene, "--because", "again", "--quality", "draft", "--missing-only")
+    assert "nothing to accept" in again.stdout
+    done = vitrail("compare", scene, "--against", "stored", "--out", project / "out", "--format", "junit")
+    assert done.returncode == 0 and 'failures="0"' in done.stdout
+    scene.write_text(scene.read_text().replace("0.18", "0.19"))
+    changed = vitrail("compare", scene, "--against", "stored", "--out", project / "out")
+    assert changed.returncode == 2 and "bless again" in changed.stderr
+
+
+def test_decisions_of_a_reader_are_applied(project: Path) -> None:
+    scene, out = project / "card.yaml", project / "out"
+    assert vitrail("compare", scene, "--against", "truth", "--out", out, "--quality", "draft").returncode in (0, 5)
+    decisions = {
+        "vitrail_decisions": 1,
+        "folder": str(out),
+        "run": "",
+        "decisions": [{"scene": "card", "decision": "accept", "because": "looked at it", "scene_hash": ""}],
+    }
+    path = project / "decisions.json"
+    path.write_text(json.dumps(decisions))
+    done = vitrail("bless", "--from", path)
+    assert done.returncode == 0, done.stderr
+    assert 'because: "looked at it"' in (project / "references" / "card" / "provenance.yaml").read_text()
+    path.write_text("{}")
+    assert vitrail("bless", "--from", path).returncode == 2
