@@ -7,6 +7,8 @@ import pytest
 
 from tests.lower.povray.real_povray import rendered, scene
 from vitrail.scene.load import Loaded
+from vitrail.scene.placement import place
+from vitrail.scene.surface import checker_index, surface_coordinates
 from vitrail.scene.view import sight
 
 CAMERAS = {
@@ -60,8 +62,6 @@ def test_a_checker_lies_where_the_surface_coordinates_say() -> None:
     camera = "camera: {kind: orthographic, position: [0, 1, 0], look_at: [0, 0, 0], up: [0, 0, -1], height: 4}"
     loaded = scene(material, objects, camera=camera, image="image: {width: 40, height: 40}")
     image = rendered(loaded).image.radiance
-    from vitrail.scene.surface import checker_index, surface_coordinates
-
     floor = loaded.scene.objects[0].plane
     for row in range(40):
         for column in range(40):
@@ -81,22 +81,28 @@ FLAT_SHAPES = [
 ]
 
 
+@pytest.mark.parametrize("turn", ["[0, 0, 0]", "[25, 40, -15]"])
 @pytest.mark.parametrize("shape", FLAT_SHAPES)
-def test_a_checker_on_other_flat_shapes_keeps_their_coordinates(shape: str) -> None:
-    from vitrail.scene.surface import checker_index, surface_coordinates
-
+def test_a_checker_on_other_flat_shapes_keeps_their_coordinates(shape: str, turn: str) -> None:
     material = "floor: {diffuse: {checker: {colors: [[0.8, 0, 0], [0, 0.8, 0]], size: 0.3}}}"
     loaded = scene(
         material,
-        f"- {{name: floor, {shape}, translate: [0.05, 0, -0.1], material: floor}}",
+        f"- {{name: floor, {shape}, rotate_deg: {turn}, translate: [0.05, 0, -0.1], material: floor}}",
         "- {name: a, directional: {direction: [0, -1, 0], irradiance: 3.14159265}}",
-        "camera: {kind: orthographic, position: [0, 1, 0], look_at: [0, 0, 0], up: [0, 0, -1], height: 1.6}",
+        "camera: {kind: orthographic, position: [0, 3, 0], look_at: [0, 0, 0], up: [0, 0, -1], height: 1.6}",
     )
-    from vitrail.scene.placement import place
-
     image, flat = rendered(loaded).image.radiance, place(loaded.scene.objects[0]).shape
+    normal = np.cross(flat.u, flat.v) if hasattr(flat, "u") else np.array(flat.normal)
     for row in range(32):
         for column in range(32):
-            s, t = surface_coordinates(flat, ((column + 0.5) * 0.05 - 0.8, 0.0, (row + 0.5) * 0.05 - 0.8))
-            if min(s / 0.3 % 1, t / 0.3 % 1) > 0.1 and max(s / 0.3 % 1, t / 0.3 % 1) < 0.9:
-                assert image[row, column, checker_index(s, t, 0.3)] == pytest.approx(0.8, rel=1e-3)
+            # Look straight down onto the turned surface.
+            x, z = (column + 0.5) * 0.05 - 0.8, (row + 0.5) * 0.05 - 0.8
+            aside = normal[0] * (x - flat.center[0]) + normal[2] * (z - flat.center[2])
+            s, t = surface_coordinates(flat, (x, flat.center[1] - aside / normal[1], z))
+            if (
+                min(s / 0.3 % 1, t / 0.3 % 1) > 0.1
+                and max(s / 0.3 % 1, t / 0.3 % 1) < 0.9
+                and max(abs(s), abs(t)) < 0.9
+            ):
+                index = checker_index(s, t, 0.3)
+                assert image[row, column, index] > 0.5 and image[row, column, 1 - index] == 0

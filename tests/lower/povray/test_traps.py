@@ -50,6 +50,19 @@ def test_bright_and_large_scenes_keep_their_caustic_where_plain_text_loses_it() 
     assert seen.mean[0] == pytest.approx(0.8 * 28274.3 / math.pi, rel=0.01)
 
 
+@pytest.mark.parametrize("photons", [5, 1000, 100_000])
+@pytest.mark.parametrize("irradiance", [1e-6, 1.0, 1e9])
+def test_no_photon_ever_carries_what_povray_cannot_store(photons: int, irradiance: float) -> None:
+    """[P 12.1] Colour times spacing squared stays below 32 in every run, however few photons share the light."""
+    light = f"- {{name: sun, directional: {{direction: [0, -1, 0], irradiance: {irradiance}}}}}"
+    made = lowered(scene(CLEAR, FLOOR_AND_PANE.format(w=9, a=15, b=16), light, below_pane(10)), photons=photons)
+    for run in made.runs:
+        assert run.photon_sdl is not None
+        colour = float(re.search(r"light_source \{ <[^>]*> rgb ([\d.e+-]+)", run.photon_sdl)[1])
+        spacing = float(re.search(r"spacing ([\d.e+-]+)", run.photon_sdl)[1])
+        assert 0 < colour * spacing**2 <= 16
+
+
 def test_an_empty_photon_map_is_never_a_picture() -> None:
     """[P 12.2] Plain text lets light straight through glass when no photon is stored; zero photons are refused."""
     plain = """#version 3.7;

@@ -16,7 +16,7 @@ from vitrail.scene.surface import frame_of
 from vitrail.scene.vector import Vec, add, cross, length, scale, unit
 
 SMALL_SUN_DEG = 2.0
-"""Diameter below which a penumbra is narrow and a quarter of the small lights is enough."""
+"""Diameter below which a penumbra is narrow and half of the small lights is enough."""
 
 
 SKY_SHARE = 4
@@ -79,7 +79,7 @@ def sun_directions(direction: Vec, diameter_deg: float, grid: Grid) -> list[Emit
     u, v = frame_of(direction)
     reach = math.radians(diameter_deg) / 2
     if diameter_deg < SMALL_SUN_DEG:
-        grid = replace(grid, count=max(1, grid.count // 4))
+        grid = replace(grid, count=max(1, grid.count // 2))
     found = []
     for x, y, share in _disc_cells(grid):
         # Map the disc to the cap with equal areas: 1 - cos(angle) grows with the square of the radius.
