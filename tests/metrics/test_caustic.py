@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from tests.metrics.synthetic import patch_of, spot, value_of
+from tests.metrics.synthetic import noisy, patch_of, spot, value_of
 from vitrail.metrics.caustic import (
     caustic_area,
     caustic_centroid,
@@ -132,6 +132,15 @@ def test_correlation_sees_shape_and_not_brightness():
     by_name = {m.metric: m.value for m in profile_correlation(moved, patch_of(spot()), CONTEXT)}
     assert by_name["profile_correlation.u"] < 0.8
     assert by_name["profile_correlation.v"] == pytest.approx(1.0, abs=1e-6)
+
+
+def test_a_direction_without_shape_is_left_out_and_one_that_lost_its_shape_is_not():
+    bar = patch_of(lambda u, v: np.exp(-((u / 0.2) ** 2)) + 0 * v)
+    even = patch_of(lambda u, v: 1 + 0 * u + 0 * v)
+    first, second = noisy(bar, 0.05, 1), noisy(bar, 0.05, 2)
+    assert [m.metric for m in profile_correlation(first, second, CONTEXT)] == ["profile_correlation.u"]
+    lost = profile_correlation(noisy(even, 0.05, 3), second, CONTEXT)
+    assert [m.metric for m in lost] == ["profile_correlation.u"] and lost[0].value < 0.8
 
 
 def test_shape_metrics_do_not_see_exposure_and_flux_does_not_see_shape():

@@ -136,7 +136,20 @@ def _compare(
         found = measure_with_intervals(observation, samples[pair.candidate], samples[pair.reference], context)
     except MetricError as error:
         return [], [f"{pair.value}: {error}"]
-    return [_measured(pair, entry, entry.ideal, "", observation) for entry in found if entry.ideal is not None], []
+    compared = [entry for entry in found if entry.ideal is not None]
+    steady, silent = _steady(pair, compared, (samples[pair.candidate], samples[pair.reference]))
+    return [_measured(pair, entry, float(entry.ideal or 0.0), "") for entry in steady], silent
+
+
+def _steady(
+    pair: Pair, found: Sequence[Measurement], samples: Sequence[PatchSamples]
+) -> tuple[list[Measurement], list[str]]:
+    """The numbers that a little more noise leaves there, and words about the others: those have no interval."""
+    if all(each.noise is None for each in samples):
+        return list(found), []
+    steady = [entry for entry in found if entry.interval is not None]
+    lost = [f"{pair.value}: {entry.metric} comes and goes with the noise" for entry in found if entry.interval is None]
+    return steady, lost
 
 
 def _against(
@@ -146,26 +159,29 @@ def _against(
     if not truths:
         return [], [], []
     try:
-        found = {entry.metric: entry for entry in measure_with_intervals(observation, samples, None, context)}
+        measured = measure_with_intervals(observation, samples, None, context)
     except MetricError as error:
         return [], [], [f"{pair.value}: {error}"]
+    wanted = {truth.metric for truth in truths}
+    steady, lost = _steady(pair, [entry for entry in measured if entry.metric in wanted], (samples,))
+    found = {entry.metric: entry for entry in steady}
+    known = {entry.metric for entry in measured}
     kept = [truth for truth in truths if truth.metric in found]
-    silent = [truth.metric for truth in truths if truth.metric not in found]
+    absent = [truth.metric for truth in truths if truth.metric not in known]
     return (
-        [_measured(pair, found[truth.metric], truth.value, truth.origin, observation) for truth in kept],
+        [_measured(pair, found[truth.metric], truth.value, truth.origin) for truth in kept],
         kept,
-        [f"{pair.value}: the metrics of {observation.phenomenon} give no {metric}" for metric in silent],
+        [*lost, *(f"{pair.value}: the metrics of {observation.phenomenon} give no {metric}" for metric in absent)],
     )
 
 
-def _measured(pair: Pair, entry: Measurement, ideal: float, source: str, observation: Observation) -> Measured:
+def _measured(pair: Pair, entry: Measurement, ideal: float, source: str) -> Measured:
     """A measurement as the judge takes it; unknown noise (no half images) is taken as none, with a caveat."""
     interval = entry.interval
-    noise = (
-        Noise(0.0) if interval is None else Noise(interval.standard_error, interval.degrees_of_freedom, interval.method)
-    )
-    if interval is not None and interval.standard_error == 0:
+    if interval is None or interval.standard_error == 0:
         noise = Noise(0.0)
+    else:
+        noise = Noise(interval.standard_error, interval.degrees_of_freedom, interval.method)
     caveats = entry.caveats if interval is not None or entry.caveats else ("its noise is not known",)
     return Measured(
         pair=pair,

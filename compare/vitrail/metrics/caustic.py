@@ -9,7 +9,7 @@ import numpy as np
 
 from vitrail.images.patch import PatchSamples
 from vitrail.metrics.encircled import encircled, ring_weights, room_about
-from vitrail.metrics.measurement import Context, Measurement, MetricError, per_channel
+from vitrail.metrics.measurement import Axis, Context, Measurement, MetricError, per_channel
 from vitrail.metrics.profile import Light, light_of, profile
 from vitrail.metrics.radiance import channel_ratios
 
@@ -132,7 +132,8 @@ def caustic_area(candidate: PatchSamples, reference: PatchSamples | None, contex
 def profile_correlation(candidate: PatchSamples, reference: PatchSamples | None, context: Context) -> list[Measurement]:
     """Correlation of the two profiles (mean of channels) through the patch: ``profile_correlation.u/.v``, ideal 1.
 
-    Noise lowers it; the floor says by how much. It sees shape alone: not flux, not exposure.
+    Noise lowers it; the floor says by how much. It sees shape alone: not flux, not exposure. A direction in which both
+    profiles are flat but for their noise has no shape to compare and is left out.
     """
     if reference is None:
         return []
@@ -145,10 +146,24 @@ def profile_correlation(candidate: PatchSamples, reference: PatchSamples | None,
         spread = np.std(ours) * np.std(theirs)
         if not spread > 0:
             raise MetricError("a profile of the caustic is flat; there is no caustic to correlate")
+        if _is_flat(ours, candidate, axis) and _is_flat(theirs, reference, axis):
+            continue
         value = float(np.mean((ours - ours.mean()) * (theirs - theirs.mean())) / spread)
         settings = {"light": light.source}
         found.append(Measurement(f"profile_correlation.{axis}", value, "1", 1.0, settings, caveats=light.caveats))
     return found
+
+
+FLAT_IN_NOISE = 3.0
+"""A profile that varies by less than this many times its own noise has no shape of its own."""
+
+
+def _is_flat(shape: np.ndarray, samples: PatchSamples, axis: Axis) -> bool:
+    """Whether a profile varies by no more than its noise does; never without half images."""
+    if samples.noise is None:
+        return False
+    noise = profile(samples.noise, samples, axis)[1].mean(axis=-1)
+    return bool(np.std(shape) <= FLAT_IN_NOISE * np.std(noise))
 
 
 def centroid(light: Light, samples: PatchSamples, context: Context) -> tuple[float, float]:

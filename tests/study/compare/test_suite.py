@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -103,6 +104,25 @@ def test_doubt_that_outlasts_the_rounds_stays_doubt(tmp_path: Path, card: Loaded
     tracer = FormulaEngine("tracer", noise=5.0)
     results = run(tmp_path, [card], tracer=tracer, rounds=1)
     assert (results.verdict, tracer.renders) == (Verdict.INCONCLUSIVE, 2)
+
+
+def test_a_number_that_comes_and_goes_with_the_noise_is_not_taken_for_exact() -> None:
+    from vitrail.judge.observe import _steady
+    from vitrail.metrics.measurement import Interval, Measurement
+
+    known = Measurement("r50", 1.0, "m", 1.0, interval=Interval.about(1.0, 0.1, 5, 0.95, "draws"))
+    lost = Measurement("r90", 1.0, "m", 1.0)
+    noisy, quiet = _Samples(noise=np.ones(1)), _Samples(noise=None)
+    assert _steady(Pair.TRACER_POVRAY, [known, lost], [noisy, quiet]) == (  # type: ignore[list-item]
+        [known],
+        ["tracer-vs-povray: r90 comes and goes with the noise"],
+    )
+    assert _steady(Pair.TRACER_POVRAY, [lost], [quiet, quiet]) == ([lost], [])  # type: ignore[list-item]
+
+
+@dataclass
+class _Samples:
+    noise: np.ndarray | None
 
 
 def test_a_failing_engine_stops_its_scene_and_no_other(tmp_path: Path, card: Loaded) -> None:
