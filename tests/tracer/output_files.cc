@@ -49,6 +49,29 @@ TEST(Exr, ThatCannotBeWrittenIsAnInputError) {
   EXPECT_THROW(write_exr("/nonexistent/folder/x.exr", Film(1, 1), Plan{}, {}), InputError);
 }
 
+/// A sky that is written and read again is the same sky.
+TEST(Exr, ReadsASky) {
+  Film film(4, 2);
+  for (int half = 0; half < 2; ++half) {
+    for (int x = 0; x < 4; ++x) film.at(half, x, 1)[Layer::diffusion] = {1.0 + x, 2, 3};
+  }
+  const std::string path = temporary("sky.exr");
+  write_exr(path, film, Plan{}, {});
+  const auto sky = read_sky(path);
+  EXPECT_EQ(sky->towards({0, 1, 0}), (Rgb{0, 0, 0}));
+  EXPECT_EQ(sky->towards({0.99, -0.1, -0.1}), (Rgb{1, 2, 3}));   // left edge: from -z over +x
+  EXPECT_EQ(sky->towards({-0.99, -0.1, -0.1}), (Rgb{4, 2, 3}));  // right edge
+  std::filesystem::remove(path);
+}
+
+TEST(Exr, RefusesWhatIsNoSky) {
+  EXPECT_THROW(read_sky("/nonexistent.exr"), InputError);
+  const std::string path = temporary("no_image.exr");
+  std::ofstream(path) << "not an image";
+  EXPECT_THROW(read_sky(path), InputError);
+  std::filesystem::remove(path);
+}
+
 TEST(RunRecord, SaysWhatWasUsedAndDone) {
   Scene scene;
   scene.scene_hash = "abc123";

@@ -29,12 +29,21 @@ void override_settings(const RenderOptions& options, Settings& settings) {
   settings.gather_radius_m = options.gather_radius_m.value_or(settings.gather_radius_m);
 }
 
+// Read the images of environments that name one.
+void read_skies(Scene& scene) {
+  for (Light& light : scene.lights) {
+    auto* environment = std::get_if<EnvironmentLight>(&light.emitter);
+    if (environment != nullptr && !environment->file.empty()) environment->image = read_sky(environment->file);
+  }
+}
+
 int run_render(const RenderOptions& options) {
   const double wall_start_s = wall_s();
 
   // Load, render, write.
   Scene scene = read_scene(options.scene);
   override_settings(options, scene.settings);
+  read_skies(scene);
   ProgressLines progress(options.progress ? stderr : nullptr);
   const unsigned threads = thread_count(options.threads);
   const Rendering rendering = render(scene, threads, progress);

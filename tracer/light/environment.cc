@@ -8,6 +8,11 @@
 namespace vitrail {
 
 Illumination illuminate(const EnvironmentLight& light, Vec3 normal, const UnitPoint& sample) {
+  if (light.image) {
+    const SkyImage::Draw draw = light.image->draw(sample.a, sample.b);
+    if (!(draw.density > 0)) return {};
+    return {draw.direction, std::numeric_limits<double>::infinity(), draw.radiance * (1 / draw.density)};
+  }
   const double x = sample.x, y = sample.y;
   const double cosine = std::sqrt(std::max(0.0, 1 - (x * x + y * y)));
   const SurfaceFrame frame = surface_frame(normal);
@@ -19,14 +24,25 @@ Illumination illuminate(const EnvironmentLight& light, Vec3 normal, const UnitPo
 
 EnvironmentChart aim(const EnvironmentLight& light, const Target& target, const BoundingSphere& surroundings) {
   const double disc = M_PI * target.bound.radius * target.bound.radius;
-  return {target, surroundings, light.radiance, light.radiance * (4 * M_PI * disc)};
+  const Rgb total = light.image ? light.image->total() : light.radiance * (4 * M_PI);
+  return {target, surroundings, light, total * disc};
 }
 
 Emission emit(const EnvironmentChart& chart, const EmissionSample& sample) {
-  const Vec3 direction = in_cone({0, 0, 1}, surface_frame({0, 0, 1}), 2, sample.second);
-  const Window window = window_on(chart.target, direction);
-  const Vec3 start = upstream_of(window.at(sample.first), direction, chart.surroundings);
-  return {{start, direction}, chart.radiance * (4 * M_PI * window.area())};
+  // Light comes from where the draw points to.
+  Vec3 toward = in_cone({0, 0, 1}, surface_frame({0, 0, 1}), 2, sample.second);
+  Rgb radiance = chart.light.radiance;
+  double density = 1 / (4 * M_PI);
+  if (chart.light.image) {
+    const SkyImage::Draw draw = chart.light.image->draw(sample.second.a, sample.second.b);
+    toward = draw.direction;
+    radiance = draw.radiance;
+    density = draw.density;
+  }
+  if (!(density > 0)) return {};
+  const Window window = window_on(chart.target, -toward);
+  const Vec3 start = upstream_of(window.at(sample.first), -toward, chart.surroundings);
+  return {{start, -toward}, radiance * (window.area() / density)};
 }
 
 }  // namespace vitrail

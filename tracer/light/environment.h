@@ -1,18 +1,19 @@
 #pragma once
-/// Constant radiance from every direction.
+/// Radiance from every direction, constant or from an image.
 
 #include "light/emission.h"
 
 namespace vitrail {
 
-/// A direction about `normal` with density proportional to the cosine; `irradiance` is divided by that density.
+/// A direction drawn with the cosine about `normal`, or from the image in proportion to what it sends; `irradiance` is
+/// divided by the density of the draw.
 Illumination illuminate(const EnvironmentLight& light, Vec3 normal, const UnitPoint& sample);
 
 /// Photons from every direction through a window that covers the target.
 struct EnvironmentChart {
   Target target;
   BoundingSphere surroundings;
-  Rgb radiance;
+  EnvironmentLight light;
   Rgb power;  // through the disc around the target from all directions, W
 };
 

@@ -43,9 +43,10 @@ bool is_sharp(const Light& light) {
       light.emitter);
 }
 
-Rgb sky_radiance(const Light& light) {
+Rgb sky_radiance(const Light& light, Vec3 direction) {
   const auto* environment = std::get_if<EnvironmentLight>(&light.emitter);
-  return environment != nullptr ? environment->radiance : Rgb{};
+  if (environment == nullptr) return {};
+  return environment->image ? environment->image->towards(direction) : environment->radiance;
 }
 
 std::vector<Chart> make_charts(const Scene& scene, const Targets& targets, std::uint64_t photons_per_half) {

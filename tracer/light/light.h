@@ -17,7 +17,7 @@ Illumination illuminate(const Light& light, Vec3 point, Vec3 normal, const UnitP
 bool is_sharp(const Light& light);
 
 /// What a look into the open sees of this light, W / (sr m2): an environment, nothing of the others.
-Rgb sky_radiance(const Light& light);
+Rgb sky_radiance(const Light& light, Vec3 direction);
 
 /// The photons of one light towards one target.
 struct Chart {

@@ -2,6 +2,7 @@
 /// The image file: one part, float channels, radiance with its halves, variance and layers. The only door to OpenEXR.
 
 #include <map>
+#include <memory>
 #include <string>
 
 #include "render/film.h"
@@ -14,5 +15,9 @@ namespace vitrail {
 /// Throws InputError if the file cannot be written.
 void write_exr(const std::string& path, const Film& film, const Plan& plan,
                const std::map<std::string, std::string>& metadata);
+
+/// Read R, G, B of an EXR image as the radiance of a lat-long sky. Throws InputError if it is not there, not an EXR
+/// image, or has values that are negative or not finite.
+std::shared_ptr<const SkyImage> read_sky(const std::string& path);
 
 }  // namespace vitrail

@@ -10,7 +10,6 @@ CameraTracer::CameraTracer(const Scene& scene, const Intersector& intersector, c
     const auto& ior = material.ior_by_band;
     disperses_.push_back(std::any_of(ior.begin(), ior.end(), [&](double n) { return n != ior[0]; }));
   }
-  for (const Light& light : scene.lights) sky_ += sky_radiance(light);
 }
 
 void CameraTracer::trace(const CameraPath& path, PathResult& result) {
@@ -29,7 +28,10 @@ void CameraTracer::trace(const CameraPath& path, PathResult& result) {
     const Arrival arrival =
         advance(scene_, intersector_, look.ray, look.departures, look.media, look.band, undispersed);
     if (arrival.escaped) {
-      result.radiance[look.layer] += look.throughput * arrival.transmittance * sky_;
+      const Rgb seen = look.throughput * arrival.transmittance;
+      for (const Light& light : scene_.lights) {
+        result.radiance[look.layer] += seen * sky_radiance(light, look.ray.direction);
+      }
       continue;
     }
     const Rgb throughput = look.throughput * arrival.transmittance;

@@ -68,7 +68,6 @@ class CameraTracer {
   const Scene& scene_;
   const Intersector& intersector_;
   const LightMaps& maps_;
-  Rgb sky_;                      // what a look into the open sees
   std::vector<bool> disperses_;  // by material: the index differs between bands
   CameraPath path_;
   double ior_at_camera_ = 1;

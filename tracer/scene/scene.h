@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -11,6 +12,7 @@
 
 #include "base/frame.h"
 #include "base/vec3.h"
+#include "scene/sky_image.h"
 
 namespace vitrail {
 
@@ -162,7 +164,8 @@ struct AreaLight {
 /// Radiance from everywhere: constant, or a lat-long image.
 struct EnvironmentLight {
   Rgb radiance;
-  std::string file;  // empty for the constant one; resolved against the folder of the JSON
+  std::string file;                       // empty for the constant one; resolved against the folder of the JSON
+  std::shared_ptr<const SkyImage> image;  // what is in the file, once it is read
 };
 using Emitter = std::variant<DirectionalLight, PointLight, SpotLight, AreaLight, EnvironmentLight>;
 
