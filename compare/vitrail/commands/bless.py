@@ -75,7 +75,7 @@ def _rendered(
 
 
 def _taken(source: Path, because: str, references: Path | None) -> Iterator[Proposal]:
-    """The images of a finished comparison: all of them with one reason, or those that a reader accepted."""
+    """The images of a finished comparison: those that agree with one reason, or those that a reader accepted."""
     from vitrail.commands.scene_file import read_scene
     from vitrail.judge.references import references_folder
     from vitrail.study.compare.accept import decisions_of, propose_from_run
@@ -87,6 +87,10 @@ def _taken(source: Path, because: str, references: Path | None) -> Iterator[Prop
         reasons = {each["scene"]: each["because"] or because for each in decisions if each["decision"] == "accept"}
         run = _run_of(source)
     for scene in _scenes_of(run):
+        if reasons is None and scene["verdict"] != "agrees":
+            ending = scene["verdict"] or scene["status"]
+            typer.echo(f"{scene['source']}: left out, because it ended as {ending}; decide on it in the report")
+            continue
         if reasons is not None and scene["name"] not in reasons:
             continue
         loaded = read_scene(Path(scene["source"]))
