@@ -167,6 +167,17 @@ void PhotonMap::sort_heap(std::span<const Heaped> heap, std::uint32_t place, std
   if (count > 0) start[0] = place - static_cast<std::uint32_t>(heap.size());
 }
 
+PhotonMap::Photon PhotonMap::photon(std::size_t index) const {
+  Photon photon;
+  for (int a = 0; a < 3; ++a) {
+    photon.position[axis_[a]] = position_[a][index];
+    photon.normal[axis_[a]] = static_cast<std::int8_t>((normal_[index] >> (8 * a)) & 255u) / 127.0;
+    photon.flux[a] = flux_[a][index];
+  }
+  photon.position += frame_.origin;
+  return photon;
+}
+
 // Collect the occupied runs of the nine rows around a point, each cut to the chord of the sphere that the disc lies in.
 int PhotonMap::collect_runs(const float (&center)[3], PhotonRun* runs) const {
   const double reach = radius_m_ * kReachPerRadius;

@@ -58,6 +58,13 @@ class PhotonMap {
   Rgb irradiance(const GatherQuery& query) const;
 
   std::size_t size() const { return size_; }
+
+  /// A stored photon, in the order of the cells. The normal is rounded to bytes.
+  struct Photon {
+    Vec3 position, normal;
+    Rgb flux;
+  };
+  Photon photon(std::size_t index) const;
   double radius_m() const { return radius_m_; }
 
   /// Peak bytes while a map of `count` photons is made; the blocks it is made from are given up on the way.

@@ -3,6 +3,7 @@
 #include "base/cpu_clock.h"
 #include "base/diagnostic.h"
 #include "base/parallel.h"
+#include "render/light_bins.h"
 #include "render/tile.h"
 
 namespace vitrail {
@@ -39,6 +40,10 @@ void refuse_what_cannot_work(const Scene& scene, const Intersector& intersector)
   }
   if (scene.settings.photons / 2 >= (std::uint64_t{1} << 32)) {
     found.push_back({"settings.photons", "is above 2^33", "render several seeds and average them"});
+  }
+  const std::string& solver = scene.settings.solver;
+  if (solver != "auto" && solver != "photon_map" && solver != "light_bins") {
+    found.push_back({"settings.solver", "is `" + solver + "`", "write auto, photon_map or light_bins"});
   }
   const double mb = static_cast<double>(predicted_bytes(scene, intersector)) / 1e6;
   if (scene.settings.memory_limit_mb > 0 && mb > scene.settings.memory_limit_mb) {
@@ -94,6 +99,13 @@ Rendering render(const Scene& scene, unsigned threads, Monitor& monitor) {
     result.counters += tile.counters;
     result.cpu_s.camera += tile.camera_cpu_s;
     result.cpu_s.gather += tile.gather_cpu_s;
+  }
+  if (scene.settings.solver == "light_bins") {
+    for (int half = 0; half < 2; ++half) {
+      if (!maps.caustic.half[half]) continue;
+      result.cpu_s.gather +=
+          deposit_in_pixels(scene, intersector, *maps.caustic.half[half], half, threads, monitor, result.film);
+    }
   }
   result.interrupted = monitor.interrupted();
   return result;

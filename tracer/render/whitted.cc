@@ -73,7 +73,13 @@ void CameraTracer::scatter(const Look& look, const Arrival& arrival, const Inter
   result.shadow_rays += light.shadow_rays;
   result.radiance[look.layer] += reflected * light.irradiance;
   result.radiance[Layer::indirect_light] += reflected * indirect(look, arrival, event);
-  if (scene_.plan.caustic) result.requests.push_back({{arrival.hit.point, event.facing_normal}, reflected});
+  if (scene_.plan.caustic && !is_binned(look))
+    result.requests.push_back({{arrival.hit.point, event.facing_normal}, reflected});
+}
+
+// Whether the solver has already counted the photons here in the pixel that sees them directly.
+bool CameraTracer::is_binned(const Look& look) const {
+  return scene_.settings.solver == "light_bins" && look.reflections + look.transmissions == 0;
 }
 
 // Constant ambient light, or what the global photon map and a look around say.

@@ -59,6 +59,7 @@ class CameraTracer {
     Layer layer = Layer::diffusion;
   };
   Rgb indirect(const Look& look, const Arrival& arrival, const Interaction& event) const;
+  bool is_binned(const Look& look) const;
   void go_on(const Look& look, const Arrival& arrival, const Interaction& event, Rgb throughput);
   void meet(const Look& look, const Arrival& arrival, const Interaction& event, Rgb throughput);
   void scatter(const Look& look, const Arrival& arrival, const Interaction& event, Rgb throughput, PathResult& result);

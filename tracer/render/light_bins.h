@@ -1,0 +1,19 @@
+#pragma once
+/// The other way to see photons: each is counted in the very pixel that sees it, with no disc and no blur.
+
+#include "base/monitor.h"
+#include "geometry/accel.h"
+#include "photon/photon_map.h"
+#include "render/film.h"
+
+namespace vitrail {
+
+/// Add the photons of a map to the caustic layer of one half, wherever the camera sees their surface directly; what it
+/// sees by way of mirrors and glass is left to the map. A photon of flux F on a surface of albedo d brings its pixel
+/// d / pi F times the pixels per square metre that the surface covers there: the exact mean over the pixel, with the
+/// noise of single photons and no bias. The order of addition is that of the map: the same bits for any threads.
+/// Returns the CPU seconds of all threads.
+double deposit_in_pixels(const Scene& scene, const Intersector& intersector, const PhotonMap& map, int half,
+                         unsigned threads, Monitor& monitor, Film& film);
+
+}  // namespace vitrail
