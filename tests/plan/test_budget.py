@@ -67,9 +67,9 @@ def test_no_caustic_and_no_indirect_light_mean_no_photons() -> None:
 
 def test_overrides_are_taken_as_text_and_as_numbers() -> None:
     scene = ball_over_floor()
-    settings = settings_for(scene, analyse(scene), photons="2e5", samples=9, gather_radius_m="0.5", solver="beams")
+    settings = settings_for(scene, analyse(scene), photons="2e5", samples=9, gather_radius_m="0.5", solver="light_bins")
     assert (settings.photons, settings.samples, settings.gather_radius_m) == (200_000, 9, 0.5)
-    assert settings.solver == "beams"
+    assert settings.solver == "light_bins"
 
 
 @pytest.mark.parametrize(
