@@ -58,6 +58,14 @@ def test_quality_sets_samples_and_photons() -> None:
     assert [level.photons for level in levels] == [100_000, 1_000_000, 10_000_000]
 
 
+def test_a_scene_about_its_samples_has_them_at_every_quality() -> None:
+    text = ball_lens(1.0, observe=True).replace("height: 64}", "height: 64, samples: 3}")
+    scene = load_text(text).scene
+    plan = analyse(scene)
+    assert {settings_for(scene, plan, quality).samples for quality in ("draft", "normal", "reference")} == {3}  # type: ignore
+    assert settings_for(scene, plan, "normal", samples=8).samples == 8
+
+
 def test_no_caustic_and_no_indirect_light_mean_no_photons() -> None:
     scene = make(FLOOR)
     assert settings_for(scene, analyse(scene)).photons == 0

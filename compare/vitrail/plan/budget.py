@@ -64,14 +64,14 @@ QUALITIES: tuple[Quality, ...] = get_args(Quality)
 def settings_for(scene: Scene, plan: Plan, quality: Quality = "normal", **overrides: object) -> Settings:
     """Settings for a scene at a quality; ``overrides`` replace any field by name.
 
-    A plan without a caustic and without indirect light gets no photons at all. Raises ValueError for an unknown field
-    or a value out of range.
+    A scene about its samples (``image.samples``) has them at every quality. A plan without a caustic and without
+    indirect light gets no photons at all. Raises ValueError for an unknown field or a value out of range.
     """
     level = _LEVELS[quality]
     needs_photons = plan.requires(Phenomenon.CAUSTIC) or scene.transport.indirect == "photons"
     settings = Settings(
         quality=quality,
-        samples=level.samples,
+        samples=scene.image.samples or level.samples,
         photons=level.photons if needs_photons else 0,
         gather_radius_m=0.0,
         seed=1,

@@ -528,6 +528,7 @@ class Image(Part):
     width: Annotated[int, Field(ge=1, le=16384, strict=True)]
     height: Annotated[int, Field(ge=1, le=16384, strict=True)]
     exposure_stops: Finite = 0.0
+    samples: Annotated[int, Field(ge=1, le=65536, strict=True)] | None = None
 
 
 class Ambient(Part):

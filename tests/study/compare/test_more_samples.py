@@ -52,3 +52,7 @@ def test_what_is_decided_asks_for_nothing() -> None:
 def test_only_kinds_of_work_that_the_scene_has_are_raised() -> None:
     assert more({"samples": 4, "photons": 0, "seed": 1}, 3.0) == {"samples": 12}
     assert more({"samples": 4, "photons": 1000}, 2.5) == {"samples": 10, "photons": 2500}
+
+
+def test_samples_that_the_scene_fixes_stay_as_they_are() -> None:
+    assert more({"samples": 1, "photons": 1000}, 2.0, fixed_samples=True) == {"photons": 2000}

@@ -33,6 +33,7 @@ def wanted_factor(scene: SceneResult) -> float | None:
     return min(max(SAFETY * max(factors), 2.0), MOST_AT_ONCE) if factors else None
 
 
-def more(settings: Mapping[str, Any], factor: float) -> dict[str, object]:
-    """The settings to replace for ``factor`` times the work of both kinds."""
-    return {key: round(settings[key] * factor) for key in ("samples", "photons") if settings.get(key)}
+def more(settings: Mapping[str, Any], factor: float, *, fixed_samples: bool = False) -> dict[str, object]:
+    """The settings to replace for ``factor`` times the work of both kinds; samples that the scene fixes stay."""
+    keys = ("photons",) if fixed_samples else ("samples", "photons")
+    return {key: round(settings[key] * factor) for key in keys if settings.get(key)}

@@ -82,8 +82,9 @@ def _undecided(results: Results, scenes: Mapping[str, Loaded], request: Request)
     for scene in results.scenes:
         factor = wanted_factor(scene)
         if factor is not None:
-            overrides = {**request.overrides, **more(scene.settings, factor)}
-            found.append((scene.name, scenes[scene.name], replace(request, overrides=overrides)))
+            loaded = scenes[scene.name]
+            wish = more(scene.settings, factor, fixed_samples=loaded.scene.image.samples is not None)
+            found.append((scene.name, loaded, replace(request, overrides={**request.overrides, **wish})))
     return found
 
 
