@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import typer
 
@@ -12,7 +12,7 @@ from vitrail.commands.output import print_json, wide_console
 from vitrail.commands.settings_options import QUALITY, SETTINGS, parse_settings
 
 if TYPE_CHECKING:
-    from vitrail.lower.povray.certificate import Certificate
+    from vitrail.lower.povray.certificate import Certificate, Entry
 
 
 def explain(
@@ -37,15 +37,29 @@ def explain(
 
 
 def _print_table(title: str, certificate: Certificate) -> None:
-    """One row for each item that was translated."""
+    """One row for each law; the phenomena it acts on stand together."""
     from rich.markup import escape
     from rich.table import Table
 
     table = Table(title=escape(title), title_justify="left", show_lines=True)
     for column in ("phenomenon", "item", "meant", "POV-Ray has", "residual", "because"):
         table.add_column(column, overflow="fold")
-    for entry in certificate.entries:
+    for entry, phenomena in _by_law(certificate).items():
         laws = (escape(entry.source_law), escape(entry.target_law))
         residual = f"{entry.residual:.2g} {entry.unit}".strip()
-        table.add_row(str(entry.phenomenon), escape(entry.item), *laws, escape(residual), escape(entry.reason))
+        table.add_row(phenomena, escape(entry.item), *laws, escape(residual), escape(entry.reason))
     wide_console().print(table)
+
+
+def _by_law(certificate: Certificate) -> dict[Entry, str]:
+    """The first entry of each law, and all phenomena that share it, in words."""
+    first: dict[tuple[Any, ...], Entry] = {}
+    phenomena: dict[Entry, list[str]] = {}
+    for entry in certificate.entries:
+        law = (entry.item, entry.source_law, entry.target_law, entry.residual, entry.unit, entry.reason)
+        phenomena.setdefault(first.setdefault(law, entry), []).append(entry.phenomenon.value.replace("_", " "))
+    every = {entry.phenomenon for entry in certificate.entries}
+    return {
+        entry: "every phenomenon" if len(names) == len(every) > 1 else ", ".join(names)
+        for entry, names in phenomena.items()
+    }

@@ -11,8 +11,9 @@ from xml.etree import ElementTree
 
 import typer
 
+from vitrail.commands.finding import finding
 from vitrail.commands.output import print_json
-from vitrail.judge.comparison import Comparison, ObservationResult, Verdict
+from vitrail.judge.comparison import ObservationResult, Verdict
 from vitrail.judge.records import Results, SceneResult
 
 if TYPE_CHECKING:
@@ -67,17 +68,6 @@ def lines_of(loaded: Sequence[Loaded]) -> Line:
     return line
 
 
-def sentence(observation: ObservationResult, comparison: Comparison) -> str:
-    """What, by how much, and why."""
-    interval = comparison.interval
-    text = (
-        f"{observation.phenomenon.value}: {comparison.pair.value} {comparison.metric} is {comparison.value:.6g}"
-        f"{_unit(comparison.unit)}, should be {comparison.ideal:.6g} +- {comparison.tolerance:.3g};"
-        f" the difference lies in [{interval.low:.3g}, {interval.high:.3g}]"
-    )
-    return text + (f" ({comparison.attribution.reason})" if comparison.attribution else "")
-
-
 def github_annotations(results: Results, line: Line) -> list[str]:
     """Workflow commands: an error for what deviates or failed, a warning for what is in doubt or remarked on."""
     found = []
@@ -91,7 +81,7 @@ def github_annotations(results: Results, line: Line) -> list[str]:
             if level is None:
                 continue
             told = [
-                sentence(observation, each) for each in observation.comparisons if each.verdict is observation.verdict
+                finding(observation, each) for each in observation.comparisons if each.verdict is observation.verdict
             ]
             text = "\n".join([*told, *observation.unmeasured, f"again: {scene.reproduce}"])
             title = f"{scene.name}.{observation.name} {observation.verdict.value}"
@@ -107,7 +97,7 @@ def job_summary(results: Results) -> str:
         phenomena = ", ".join(f"{each.phenomenon.value} {each.verdict.value}" for each in scene.observations)
         why = scene.message or next(
             (
-                sentence(observation, each)
+                finding(observation, each)
                 for observation in scene.observations
                 for each in observation.comparisons
                 if each.verdict is scene.verdict is not Verdict.AGREES
@@ -146,7 +136,7 @@ def _case(suite: ElementTree.Element, scene: SceneResult, observation: Observati
     case = ElementTree.SubElement(suite, "testcase", classname=scene.name, name=observation.name)
     if observation.verdict is Verdict.AGREES:
         return "success"
-    told = [sentence(observation, each) for each in observation.comparisons if each.verdict is observation.verdict]
+    told = [finding(observation, each) for each in observation.comparisons if each.verdict is observation.verdict]
     failure = ElementTree.SubElement(case, "failure", type=observation.verdict.value, message=told[0] if told else "")
     failure.text = "\n".join([*told, *observation.unmeasured, f"again: {scene.reproduce}"])
     return "failure"
@@ -158,7 +148,3 @@ def _annotation(level: str, scene: SceneResult, line: int, title: str, text: str
     place = scene.source.replace("%", "%25").replace(",", "%2C").replace(":", "%3A")
     name = title.replace("%", "%25").replace(",", "%2C").replace(":", "%3A")
     return f"::{level} file={place},line={line},title={name}::{escaped}"
-
-
-def _unit(unit: str) -> str:
-    return "" if unit in ("", "1") else f" {unit}"

@@ -9,6 +9,8 @@ from rich.console import Console
 from rich.markup import escape
 from rich.table import Table
 
+from vitrail.commands.finding import finding
+
 if TYPE_CHECKING:
     from vitrail.judge.comparison import Comparison, ObservationResult
     from vitrail.judge.records import Results, SceneResult
@@ -39,25 +41,16 @@ def attention(scene: SceneResult) -> list[str]:
             continue
         for comparison in observation.comparisons:
             if comparison.verdict is observation.verdict:
-                lines.append(_finding(scene, observation, comparison))
+                lines.append(_line(scene, observation, comparison))
         lines += [f"  not measured: {escape(reason)}" for reason in observation.unmeasured]
     if lines and scene.reproduce:
         lines.append(f"  again: {escape(scene.reproduce)}")
     return lines
 
 
-def _finding(scene: SceneResult, observation: ObservationResult, comparison: Comparison) -> str:
+def _line(scene: SceneResult, observation: ObservationResult, comparison: Comparison) -> str:
     colour = COLOURS[comparison.verdict.value]
-    interval = comparison.interval
-    head = f"[{colour}]{escape(scene.name)}.{escape(observation.name)}[/] {observation.phenomenon.value}"
-    body = (
-        f"{comparison.pair.value} {comparison.metric} {comparison.value:.5g} {comparison.unit}, should be "
-        f"{comparison.ideal:.5g} +- {comparison.tolerance:.3g}; difference in [{interval.low:.3g}, {interval.high:.3g}]"
-    )
-    cause = comparison.attribution
-    tail = f" ({cause.cause.value}{f': {cause.engine}' if cause.engine else ''})" if cause else ""
-    more = f"; {comparison.sample_factor:.2g} times the samples would decide" if comparison.sample_factor else ""
-    return f"{head}: {escape(body)}{tail}{more}"
+    return f"[{colour}]{escape(scene.name)}.{escape(observation.name)}[/] {escape(finding(observation, comparison))}"
 
 
 def _table(results: Results) -> Table:

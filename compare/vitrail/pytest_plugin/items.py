@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from vitrail.commands.result_formats import sentence
+from vitrail.commands.finding import finding
 from vitrail.judge.comparison import ObservationResult, Verdict
 from vitrail.judge.records import GlobalMetric, SceneResult, Status
 from vitrail.judge.reference_files import ReferencesError
@@ -94,7 +94,7 @@ class WholeImageTest(SceneTest):
 
 def told(observation: ObservationResult, scene: SceneResult) -> str:
     """The verdict, the numbers behind it, and how to see it again."""
-    lines = [sentence(observation, each) for each in observation.comparisons if each.verdict is observation.verdict]
+    lines = [finding(observation, each) for each in observation.comparisons if each.verdict is observation.verdict]
     return "\n  ".join([observation.verdict.value, *lines, *observation.unmeasured, f"again: {scene.reproduce}"])
 
 

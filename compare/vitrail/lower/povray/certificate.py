@@ -6,12 +6,16 @@ together on one phenomenon; the judge takes no smaller deviation between the eng
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass
+import re
+from dataclasses import asdict, dataclass, replace
 from typing import Any
 
+from vitrail.scene.model import Scene
 from vitrail.scene.phenomenon import Phenomenon
 
 RELATIVE = "relative"
+IDENTIFIER = re.compile(r"\b([OML])(\d+)\b")
+"""What an object, a material or a light is called in the SDL: its kind and its number from 1."""
 
 
 @dataclass(frozen=True)
@@ -43,3 +47,17 @@ class Certificate:
     def as_records(self) -> list[dict[str, Any]]:
         """Plain values for a report or a run record."""
         return [{**asdict(each), "phenomenon": each.phenomenon.value} for each in self.entries]
+
+
+def with_names(entries: tuple[Entry, ...], scene: Scene) -> Certificate:
+    """The certificate, each item and reason in the names its reader gave: `ball` for O2."""
+    names = {
+        "O": [item.name for item in scene.objects],
+        "M": list(scene.materials),
+        "L": [light.name for light in scene.lights],
+    }
+
+    def told(text: str) -> str:
+        return IDENTIFIER.sub(lambda found: f"`{names[found[1]][int(found[2]) - 1]}`", text)
+
+    return Certificate(tuple(replace(each, item=told(each.item), reason=told(each.reason)) for each in entries))

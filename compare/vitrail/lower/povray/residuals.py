@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from vitrail.lower.povray.certificate import RELATIVE, Certificate, Entry
+from vitrail.lower.povray.certificate import RELATIVE, Certificate, Entry, with_names
 from vitrail.lower.povray.depth import LIMIT, TraceDepth
 from vitrail.lower.povray.gaps import GAP, Shrunk
 from vitrail.lower.povray.indices import Indices
@@ -45,8 +45,8 @@ class Translation:
 
 
 def certificate_of(translation: Translation) -> Certificate:
-    """Everything that differs, most general first."""
-    return Certificate(
+    """Everything that differs, most general first, in the names of the scene."""
+    return with_names(
         (
             *_output(translation),
             *_position(translation),
@@ -60,7 +60,8 @@ def certificate_of(translation: Translation) -> Certificate:
             *photon_entries(
                 translation.scene, translation.mode, translation.units, translation.lights, translation.photons
             ),
-        )
+        ),
+        translation.scene,
     )
 
 
@@ -119,17 +120,17 @@ def _cuts(translation: Translation) -> Iterator[Entry]:
 
 
 def _falloff(translation: Translation) -> Iterator[Entry]:
-    for index, source in enumerate(translation.lights, 1):
-        if source.fade_distance is not None:
-            yield Entry(
-                Phenomenon.DIFFUSION,
-                f"L{index}",
-                "E = I / r^2",
-                "E = I / (r^2 + f^2)",
-                FADE_SHARE**2,
-                RELATIVE,
-                "POV-Ray has no unbounded inverse square; f is 1/1000 of the distance to the nearest surface",
-            )
+    """Each small light of a grid loses the same share of its own light: one entry a light of the scene."""
+    for index in sorted({source.light for source in translation.lights if source.fade_distance is not None}):
+        yield Entry(
+            Phenomenon.DIFFUSION,
+            f"L{index + 1}",
+            "E = I / r^2",
+            "E = I / (r^2 + f^2)",
+            FADE_SHARE**2,
+            RELATIVE,
+            "POV-Ray has no unbounded inverse square; f is 1/1000 of the distance to the nearest surface",
+        )
 
 
 def _depth(translation: Translation) -> Iterator[Entry]:
@@ -166,7 +167,7 @@ def _grids(translation: Translation) -> Iterator[Entry]:
             yield Entry(
                 Phenomenon.SHADOW,
                 f"L{index + 1}",
-                f"a {light.kind} light",
+                f"one {light.kind} light",
                 f"{count} small ones in each half image, at random in cells of equal size",
                 1 / (2 * count),
                 RELATIVE,

@@ -1,0 +1,40 @@
+"""One comparison in a sentence: units are told, doubt says what would end it, and despair says so."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.report.synthetic import write_run
+from vitrail.commands.finding import finding
+from vitrail.judge.comparison import ObservationResult, Verdict
+
+
+@pytest.fixture(scope="module")
+def unsure(tmp_path_factory: pytest.TempPathFactory) -> ObservationResult:
+    results = write_run(Path(tmp_path_factory.mktemp("run")))
+    (scene,) = [scene for scene in results.scenes if scene.name == "unsure"]
+    return scene.observations[0]
+
+
+@pytest.mark.parametrize(
+    ("factor", "words"),
+    [
+        (None, ""),
+        (2.34, "; 2.3 times the samples would decide"),
+        (452.0, "; 452 times the samples would decide"),
+        (5.2e11, "; no affordable number of samples would decide: choose a patch with more light"),
+    ],
+)
+def test_doubt_says_what_would_end_it(unsure: ObservationResult, factor: float | None, words: str) -> None:
+    (doubt, *_) = [each for each in unsure.comparisons if each.verdict is Verdict.INCONCLUSIVE]
+    changed = doubt.model_copy(update={"sample_factor": factor, "attribution": None})
+    assert finding(unsure, changed).endswith("]" + words)
+
+
+def test_a_share_has_no_unit_and_a_length_has_metres(unsure: ObservationResult) -> None:
+    (doubt, *_) = [each for each in unsure.comparisons if each.verdict is Verdict.INCONCLUSIVE]
+    changed = {unit: doubt.model_copy(update={"unit": unit, "value": 0.25}) for unit in ("1", "m")}
+    assert "is 0.25, should" in finding(unsure, changed["1"])
+    assert "is 0.25 m, should" in finding(unsure, changed["m"])
