@@ -132,3 +132,12 @@ def test_ctrl_c_is_passed_on_so_that_finished_work_is_written() -> None:
 def test_a_program_that_is_not_there_is_an_os_error() -> None:
     with pytest.raises(OSError):
         run_child(["/nowhere/program"])
+
+
+def test_the_memory_is_the_program_s_own_and_not_ours() -> None:
+    ours = b"x" * (300 << 20)
+    finished = run_child(["sleep", "0.1"])
+    assert finished.peak_memory_bytes < 20 << 20, "what the caller has resident is charged to the program"
+    hungry = run_child(python("import time; x = b'x' * (100 << 20); time.sleep(0.1)"))
+    assert 100 << 20 < hungry.peak_memory_bytes < 150 << 20
+    assert len(ours) == 300 << 20

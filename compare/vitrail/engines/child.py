@@ -21,8 +21,8 @@ KEPT_LINES = 200
 
 GIBIBYTE = 1 << 30
 
-GLANCE_S = 0.1
-"""How often the clock is looked at while a program says nothing."""
+GLANCE_S = 0.02
+"""How often the clock and the memory are looked at while a program says nothing."""
 
 
 @dataclass(frozen=True)
@@ -35,7 +35,11 @@ class Limits:
 
 @dataclass(frozen=True)
 class Finished:
-    """How a program ended. ``said`` are its last lines on stderr; a negative ``code`` is the signal that ended it."""
+    """How a program ended. ``said`` are its last lines on stderr; a negative ``code`` is the signal that ended it.
+
+    ``peak_memory_bytes`` is the most that was resident at any look, every 20 ms; what is taken and given back between
+    the last look and the end is missed.
+    """
 
     code: int
     stdout: str
@@ -95,7 +99,7 @@ def run_child(
             said="\n".join(listener.kept[-KEPT_LINES:]),
             cpu_s=usage.ru_utime + usage.ru_stime,
             wall_s=time.monotonic() - started,
-            peak_memory_bytes=usage.ru_maxrss * 1024,
+            peak_memory_bytes=listener.peak_memory_bytes or usage.ru_maxrss * 1024,
             interrupted=listener.interrupted,
             timed_out=listener.timed_out,
         )
@@ -116,6 +120,7 @@ class _Listener:
         self.kept: list[str] = []
         self.interrupted = self.timed_out = False
         self.rest = b""
+        self.peak_memory_bytes = 0
 
     def listen(self) -> None:
         assert self.process.stderr is not None
@@ -155,7 +160,8 @@ class _Listener:
             self.kept.append(text)
 
     def _mind_the_limits(self) -> None:
-        """End the program when its time is up or somebody wants it to stop."""
+        """End the program when its time is up or somebody wants it to stop; see how much memory it has taken."""
+        self.peak_memory_bytes = max(self.peak_memory_bytes, _resident_peak_bytes(self.process.pid))
         if self.limits.wall_s is not None and time.monotonic() - self.started > self.limits.wall_s:
             self.timed_out = True
         if self.stop is not None and self.stop.is_set():
@@ -179,6 +185,19 @@ def _limit(pid: int, limits: Limits) -> None:
         pass  # It has ended already.
     except PermissionError:
         pass  # It has become a user of its own behind the walls of ``isolate``, which set its limits.
+
+
+def _resident_peak_bytes(pid: int) -> int:
+    """The most memory a running program has had resident so far; 0 when it has ended.
+
+    The system's own count at the end (ru_maxrss) includes what *we* had resident when we started the program.
+    """
+    try:
+        status = Path(f"/proc/{pid}/status").read_text()
+    except OSError:
+        return 0
+    found = [line.split()[1] for line in status.splitlines() if line.startswith("VmHWM:")]
+    return int(found[0]) * 1024 if found else 0
 
 
 def _kill_group(process: subprocess.Popen[bytes]) -> None:
