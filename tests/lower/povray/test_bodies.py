@@ -117,8 +117,9 @@ def test_absorbing_glass_around_clear_glass_absorbs_on_its_own_way_only() -> Non
 
 
 def test_a_camera_inside_glass_looks_out_through_one_face() -> None:
+    """[O 1.1 row 10] Refraction gathers the light of the panel into a cone smaller by n^2."""
     inside = slab("a", -0.5, 2, "tint")
-    assert through(inside, "tint: {transmission: 0.5, ior: 1.5}") == pytest.approx(0.5, rel=HALF_FLOAT)
+    assert through(inside, "tint: {transmission: 0.5, ior: 1.5}") == pytest.approx(0.5 * 1.5**2, rel=HALF_FLOAT)
 
 
 def write_cube(folder: Path, name: str) -> Path:

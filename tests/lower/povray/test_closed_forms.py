@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from tests.lower.povray.real_povray import HALF_FLOAT, LOOKING_DOWN, rendered, rendered_file, scene
+from tests.lower.povray.real_povray import HALF_FLOAT, LOOKING_DOWN, Rendered, rendered, rendered_file, scene
 
 
 @pytest.mark.parametrize("tilt_deg", [0.0, 36.87, 75.0])
@@ -127,6 +127,48 @@ def test_mirror_diffusion_and_glass_shares_add_up_for_camera_and_photons() -> No
     seen = rendered(scene(f"{material}\nglow: {{emission: 2}}", objects, camera=camera))
     expected = np.array([0.3, 0.2, 0.1]) + 2 * np.array([0.2, 0.4, 0.6])
     assert seen.mean == pytest.approx(expected, rel=HALF_FLOAT)
+
+
+def test_light_scattered_inside_glass_is_dimmed_by_the_square_of_its_index() -> None:
+    """[O 1.1 row 10] A pane of d, r, t and index n lit and seen from above, all bounces between its faces.
+
+    Outside: d. Inside: photons t / (1 - r^2) on the lower face and r times that on the upper one, scattered with d,
+    seen through t with all bounces, over n^2. POV-Ray alone would leave out n^2.
+    """
+    d, r, t, n = 0.3, 0.1, 0.4, 1.5
+    objects = "- {name: pane, box: {min: [-1, 0, -1], max: [1, 0.2, 1]}, material: opal}"
+    camera = "camera: {kind: orthographic, position: [0, 3, 0], look_at: [0, 0, 0], up: [0, 0, -1], height: 0.6}"
+    material = f"opal: {{diffuse: {d}, reflection: {r}, transmission: {t}, ior: {n}}}"
+    lower, upper = t / (1 - r * r), t * r / (1 - r * r)
+    expected = d + t * d * (lower + r * upper) / (1 - r * r) / n**2
+    # 0.2 %: some 4000 photons in view make up a tenth of the light.
+    assert rendered(scene(material, objects, camera=camera), photons=200_000).mean[0] == pytest.approx(
+        expected, rel=2e-3
+    )
+
+
+def test_a_card_cast_into_glass_is_dimmed_by_the_square_of_its_index() -> None:
+    """With t = 3/4 a flux of 255 / 256 after two faces has 8 bits after one, too: nothing is truncated [P 2.4]."""
+    cast = card_in_glass(0.75)
+    # 0.1 %: half floats, and the lattice of photons at a kernel of 0.047 m.
+    assert cast.mean[0] == pytest.approx(0.8 * 0.75**2 / 1.5**2, rel=1e-3)
+
+
+def test_photons_stored_after_one_face_are_truncated_as_the_certificate_says() -> None:
+    cast = card_in_glass(0.9)
+    (rounding,) = [entry for entry in cast.lowered.certificate.entries if "truncated" in entry.target_law]
+    lost = 1 - cast.mean[0] / (0.8 * 0.9**2 / 1.5**2)
+    assert 1e-3 < lost < rounding.residual
+
+
+def card_in_glass(transmission: float) -> Rendered:
+    objects = """
+    - {name: block, box: {min: [-1, -0.5, -1], max: [1, 0.5, 1]}, material: glass}
+    - {name: card, rectangle: {center: [0, 0, 0], u: [0.9, 0, 0], v: [0, 0, -0.9]}, material: card}
+    """
+    camera = "camera: {kind: orthographic, position: [0, 3, 0], look_at: [0, 0, 0], up: [0, 0, -1], height: 0.6}"
+    materials = f"glass: {{transmission: {transmission}, ior: 1.5}}\ncard: {{diffuse: 0.8}}"
+    return rendered(scene(materials, objects, camera=camera), photons=200_000)
 
 
 def test_a_mirror_shows_its_share_of_what_it_faces() -> None:

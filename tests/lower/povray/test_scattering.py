@@ -65,7 +65,7 @@ def test_frosting_blurs_an_edge_as_equation_8_does(roughness: float) -> None:
         middle = (steps * middles).sum() / steps.sum()
         return float(np.sqrt((steps * (middles - middle) ** 2).sum() / steps.sum()))
 
-    rough = [entry for entry in seen.lowered.certificate.of(Phenomenon.ROUGHNESS) if entry.item == "M1"]
+    rough = [entry for entry in seen.lowered.certificate.of(Phenomenon.ROUGHNESS) if entry.item == "`frosted`"]
     assert len(rough) == 1 and rough[0].residual == 0.06
     assert width(profile) == pytest.approx(width(expected), rel=0.06)
 
@@ -125,3 +125,14 @@ def test_light_that_radiosity_would_invent_is_refused() -> None:
     glowing = scene(materials, objects, more="transport: {indirect: photons}")
     with pytest.raises(NotTranslatable, match="emission light other surfaces"):
         lowered(glowing)
+
+
+def test_a_card_inside_glass_is_refused_beside_radiosity() -> None:
+    objects = """
+    - {name: floor, plane: {point: [0, -2, 0], normal: [0, 1, 0]}, material: card}
+    - {name: block, box: {min: [-1, -1, -1], max: [1, 1, 1]}, material: glass}
+    - {name: cast, rectangle: {center: [0, 0, 0], u: [0.5, 0, 0], v: [0, 0.5, 0]}, material: card}
+    """
+    materials = "card: {diffuse: 0.5}\nglass: {transmission: 1, ior: 1.5}"
+    with pytest.raises(NotTranslatable, match=r"inside glass without the square"):
+        lowered(scene(materials, objects, more="transport: {indirect: photons}"))

@@ -18,9 +18,9 @@ from vitrail.scene.overlap import overlap
 from vitrail.scene.placement import Frame, Placed, place
 from vitrail.scene.vector import Vec, add, scale, subtract, unit
 
-NEAR = 2e-3
-"""Units below which a gap counts as a touch: twice the tolerance of shadow rays [P 7]."""
-GAP = 2.5e-3
+NEAR = 1.2e-3
+"""Units below which a gap counts as a touch: more than the tolerance of shadow rays [P 7]."""
+GAP = 1.5e-3
 """Units of air that a touch becomes."""
 
 

@@ -35,6 +35,7 @@ from vitrail.plan.plan import Plan
 from vitrail.plan.reduced import reduced
 from vitrail.scene.load import Loaded
 from vitrail.scene.model import Scene
+from vitrail.scene.phenomenon import Phenomenon
 from vitrail.scene.print import scene_hash
 
 EMITTERS: dict[Quality, int] = {"draft": 12, "normal": 24, "reference": 96}
@@ -90,7 +91,8 @@ def lower_povray(scene: Scene, plan: Plan, settings: Settings, loaded: Loaded | 
     scene = reduced(scene, plan)
     refuse_unsupported(scene, plan, refusals)
     meshes = meshes_of(scene, loaded.path.parent if loaded else Path(), refusals)
-    units = normalise(scene, [mesh.bounds for mesh in meshes.values()], refusals)
+    radius = settings.gather_radius_m if plan.requires(Phenomenon.CAUSTIC) else 0.0
+    units = normalise(scene, [mesh.bounds for mesh in meshes.values()], refusals, radius)
     mode = mode_of(scene, plan, settings)
     indices = Indices(scene, mode.bands, mode.is_sliced)
     grid = Grid(EMITTERS[settings.quality], settings.seed)

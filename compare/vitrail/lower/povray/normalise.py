@@ -12,6 +12,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import assert_never
 
+from vitrail.lower.povray.curvature import curved_receivers, lost_share
 from vitrail.lower.povray.refusal import NotTranslatable, Refusals
 from vitrail.plan.bounds import Bounds, extent_of, together
 from vitrail.scene.model import Box, Cone, Cylinder, Disc, Lens, Mesh, Plane, Prism, Rectangle, Scene, Shape, Sphere
@@ -19,6 +20,10 @@ from vitrail.scene.vector import Vec, length, scale, subtract
 
 LARGEST_EXTENT = 64.0
 """Extent in units that a scene is brought to (at most, and more than half of it)."""
+SMALLEST_EXTENT = 8.0
+"""The same where photons fall on curved surfaces, if it must be: smaller, gaps and hairs become visible lengths."""
+BENT_SHARE = 0.01
+"""Share of a photon disc that a curved surface may lose before the scene is made smaller; an opal ball lost 23 %."""
 SMALLEST_FEATURE = 0.01
 """Thickness in units that every tolerance of POV-Ray resolves by a factor of ten [P 7]."""
 WIDEST_EXTENT = 8192.0
@@ -29,10 +34,11 @@ FARTHEST_CAMERA = 1.0e5
 
 @dataclass(frozen=True)
 class Normalisation:
-    """units = (metres - centre) * scale, with ``scale`` a power of two."""
+    """units = (metres - centre) * scale, with ``scale`` a power of two; the scene is ``extent`` units across."""
 
     centre: Vec
     scale: float
+    extent: float
 
     def point(self, metres: Vec) -> Vec:
         return scale(subtract(metres, self.centre), self.scale)
@@ -44,12 +50,19 @@ class Normalisation:
         return metres * self.scale
 
 
-def normalise(scene: Scene, meshes: Sequence[Bounds], refusals: Refusals) -> Normalisation:
-    """The normalisation of a scene; raises NotTranslatable where no scale holds its smallest and its largest part."""
+def normalise(
+    scene: Scene, meshes: Sequence[Bounds], refusals: Refusals, gather_radius_m: float = 0.0
+) -> Normalisation:
+    """The normalisation of a scene; raises NotTranslatable where no scale holds its smallest and its largest part.
+
+    ``gather_radius_m`` is that of the photons, or 0 without them.
+    """
     bounds = together([extent_of(scene), *meshes])
     diameter = 2 * bounds.radius_m
     smallest, thinnest = min(_features(scene), default=(diameter, None))
     factor = _power_of_two_below(LARGEST_EXTENT / diameter)
+    while factor * diameter > SMALLEST_EXTENT and _bent_share(scene, gather_radius_m, factor) > BENT_SHARE:
+        factor /= 2
     while smallest * factor < SMALLEST_FEATURE and diameter * factor * 2 <= WIDEST_EXTENT:
         factor *= 2
     if smallest * factor < SMALLEST_FEATURE and thinnest is not None:
@@ -59,12 +72,18 @@ def normalise(scene: Scene, meshes: Sequence[Bounds], refusals: Refusals) -> Nor
         )
         raise NotTranslatable([refusals.at(what, "make it thicker or the scene smaller", "objects", thinnest)])
     centre = _centre(bounds.centre, diameter)
-    result = Normalisation(centre, factor)
+    result = Normalisation(centre, factor, diameter * factor)
     if length(result.point(scene.camera.position)) > FARTHEST_CAMERA:
         away = length(subtract(scene.camera.position, bounds.centre))
         what = f"the camera is {away:.3g} m away from a scene of {diameter:.3g} m"
         raise NotTranslatable([refusals.at(what, "move it nearer; POV-Ray loses digits there", "camera", "position")])
     return result
+
+
+def _bent_share(scene: Scene, gather_radius_m: float, factor: float) -> float:
+    """What the most curved receiver of photons loses at a scale."""
+    radii = [radius for _, radius in curved_receivers(scene)]
+    return max((lost_share(gather_radius_m * factor, radius * factor) for radius in radii), default=0.0)
 
 
 def _features(scene: Scene) -> Iterator[tuple[float, int]]:

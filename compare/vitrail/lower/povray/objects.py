@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from vitrail.lower.povray.exposure import Exposure, Triplet
+from vitrail.lower.povray.immersion import index_around, seen_from_outside
 from vitrail.lower.povray.indices import Indices
 from vitrail.lower.povray.materials import texture_sdl
 from vitrail.lower.povray.meshes import Meshes, mesh_parts
@@ -78,24 +79,29 @@ class ObjectText:
             return Primitive("mesh2", tuple(mesh_parts(self.meshes[item.name], self.units)))
         return primitive(placed, self.units)
 
-    def _texture(self, material: Material, placed: Placed, exposure: Exposure, bumps: Bumps | None = None) -> str:
-        return texture_sdl(Surface(material, placed, exposure, self.units, self._has_ambient, bumps))
+    def _texture(
+        self, material: Material, placed: Placed, exposure: Exposure, bumps: Bumps | None = None, seen: float = 1.0
+    ) -> str:
+        return texture_sdl(Surface(material, placed, exposure, self.units, self._has_ambient, bumps, seen))
 
     def _textures(self, index: int, placed: Placed, exposure: Exposure) -> list[str]:
-        """The look of an object; rough glass, and glass inside other glass, looks different from inside."""
-        material = self.scene.material_of(self.scene.objects[index])
-        if not material.is_specular:
-            return [self._texture(material, placed, exposure)]
-        ior = reference_ior(material)
-        outer = self._texture(material, placed, exposure, bumps_of(material, ior, from_inside=False))
+        """The look of an object from outside, and where it differs from inside: rough, scattering and nested glass."""
+        item = self.scene.objects[index]
+        material, ior = self.scene.material_of(item), self._index_of(item)
+        around = seen_from_outside(self.scene, index_around(self.scene, item))
+        bumps = [bumps_of(material, ior, from_inside=side) if material.is_specular else None for side in (False, True)]
+        outer = self._texture(material, placed, exposure, bumps[0], around)
         if not material.is_transmissive:
             return [outer]
-        inner = self._texture(material, placed, exposure, bumps_of(material, ior, from_inside=True))
-        hidden = inner
+        hidden = inner = self._texture(material, placed, exposure, bumps[1], seen_from_outside(self.scene, ior))
         for host in self.nesting.hosts[index]:
             # Where the lower solid lies outside, light has left this one already when it meets this face.
-            hidden = block("texture", [block("object", [self._without(host, index), hidden, CLEAR])])
+            hidden = block("texture", [block("object", [self._without(host, index), inner, CLEAR])])
+            inner = hidden
         return [outer] if hidden == outer else [outer, f"interior_{hidden}"]
+
+    def _index_of(self, item: Object) -> float:
+        return reference_ior(self.scene.material_of(item))
 
     @property
     def _has_ambient(self) -> bool:

@@ -24,7 +24,7 @@ def coloured(
     suffix: str = "",
 ) -> str:
     """The body of a pigment: the texture times ``factor``, as radiance (``light``) or as a share."""
-    factors = (factor,) * 3 if isinstance(factor, float) else factor
+    factors = [surface.seen * each for each in ((factor,) * 3 if isinstance(factor, float) else factor)]
 
     def shown(colour: tuple[float, float, float]) -> str:
         seen = surface.exposure.light(colour) if light else surface.exposure.share(colour)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from vitrail.lower.povray.certificate import RELATIVE, Entry
+from vitrail.lower.povray.curvature import curved_receivers, lost_share
 from vitrail.lower.povray.lights import Source
 from vitrail.lower.povray.modes import Mode
 from vitrail.lower.povray.normalise import Normalisation
@@ -40,6 +41,7 @@ def photon_entries(
         "m",
         "the estimate blurs by the gather radius; between the engines the blur is the same",
     )
+    yield from _curved_receivers(scene, units, photons)
     yield Entry(
         caustic,
         "kernel",
@@ -49,6 +51,19 @@ def photon_entries(
         "deg",
         "photons that graze a surface count too little from this angle on",
     )
+
+
+def _curved_receivers(scene: Scene, units: Normalisation, photons: PhotonPass) -> Iterator[Entry]:
+    for index, radius_m in curved_receivers(scene):
+        yield Entry(
+            Phenomenon.CAUSTIC,
+            f"O{index + 1}",
+            "a flat disc on a curved surface",
+            "photons off the tangent plane count as farther away",
+            lost_share(photons.gather_radius, units.length(radius_m)),
+            RELATIVE,
+            "POV-Ray stretches distances along the normal, by an absolute factor; a smaller gather radius lowers this",
+        )
 
 
 def _channel_ratio(scene: Scene) -> float:

@@ -17,6 +17,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from vitrail.lower.povray.exposure import Exposure
+from vitrail.lower.povray.immersion import index_around
 from vitrail.lower.povray.lights import Source
 from vitrail.lower.povray.meshes import Meshes, bounds_with
 from vitrail.lower.povray.normalise import Normalisation
@@ -168,7 +169,15 @@ def has_exact_flux(scene: Scene, lights: Sequence[Source], photons: PhotonPass) 
     lossless = all(_is_lossless(material) for material in materials)
     if len(photons.targets) > 1:
         return lossless and lights[0].direction is not None
+    if not lossless and _stores_inside(scene):
+        return False
     return lossless or not (materials[0].is_transmissive and max(materials[0].reflection) > 0)
+
+
+def _stores_inside(scene: Scene) -> bool:
+    """Whether photons may be stored after one face of glass instead of two."""
+    scattering = [item for item in scene.objects if scene.material_of(item).is_diffuse]
+    return any(scene.material_of(item).is_specular or index_around(scene, item) != 1 for item in scattering)
 
 
 def _is_lossless(material: Material) -> bool:

@@ -24,9 +24,9 @@ WIDEST_TILT = 1.0
 """Radians, root mean square, beyond which bumps no longer say what they should."""
 LEVELS = 16
 """Amplitudes in the mixture."""
-CELL_SIZE = 0.00613
+CELL_SHARE = 1.23e-4
 BUMP_SIZE = 0.31
-"""Units, and share of a cell: far below a pixel, and no multiple of anything on the grid."""
+"""Share of the scene's extent, and of a cell: far below a pixel, and no multiple of anything on the grid."""
 
 
 @dataclass(frozen=True)
@@ -40,14 +40,13 @@ class Bumps:
         """Median over the mixture of the tilt's root mean square, radians; a mean would not exist for GGX."""
         return TILT_PER_AMPLITUDE * sorted(self.amplitudes)[LEVELS // 2]
 
-    @property
-    def sdl(self) -> str:
-        """A ``normal`` block whose map has a step for each amplitude."""
+    def sdl(self, extent: float) -> str:
+        """A ``normal`` block whose map has a step for each amplitude, in a scene of ``extent`` units."""
         steps = []
         for level, amplitude in enumerate(self.amplitudes):
             entry = f"bumps {number(amplitude)} scale {number(BUMP_SIZE)}"
             steps += [f"[{number(level / LEVELS)} {entry}]", f"[{number((level + 1) / LEVELS)} {entry}]"]
-        return f"normal {{ cells normal_map {{ {' '.join(steps)} }} scale {number(CELL_SIZE)} }}"
+        return f"normal {{ cells normal_map {{ {' '.join(steps)} }} scale {number(CELL_SHARE * extent)} }}"
 
 
 def bumps_of(material: Material, index: float, *, from_inside: bool) -> Bumps | None:

@@ -16,7 +16,7 @@ GREY_SLACK = 1e-12
 
 @dataclass(frozen=True)
 class Surface:
-    """A material on one object in one run."""
+    """A material on one object in one run; ``seen`` is what the camera sees of the radiance it sends out."""
 
     material: Material
     placed: Placed
@@ -24,6 +24,7 @@ class Surface:
     normalisation: Normalisation
     has_ambient: bool = False
     bumps: Bumps | None = None
+    seen: float = 1.0
 
     @property
     def scatters(self) -> str:
