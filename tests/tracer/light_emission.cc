@@ -16,7 +16,7 @@ constexpr double kPatchRadius = 0.2;
 Targets one_target() {
   const BoundingSphere bound{{0.3, 0.1, -0.2}, 0.5};
   const Vec3 reach{0.5, 0.5, 0.5};
-  return {{{0, bound, {bound.center - reach, bound.center + reach}}}, {bound.center, 3}, {}};
+  return {{{0, bound, {bound.center - reach, bound.center + reach}}}, {{bound.center, 3}, {}}, {}};
 }
 
 /// Power of a chart's photons that cross the patch from above, W.

@@ -53,11 +53,15 @@ AreaChart aim(const AreaLight& light, const Target& target) {
   const double distance = length(target.bound.center - window.center);
   const double solid_angle = light.collimated ? 1 : 2 * M_PI * one_minus_cos_of(target.bound.radius, distance);
   chart.power = chart.emitted * (window.area() * solid_angle);
+
+  // A lamp flush with a wall shines into the room: rounding must not start a photon behind the wall.
+  const double reach = largest_coordinate(window.center) + largest_coordinate(window.u) + largest_coordinate(window.v);
+  chart.lift = normal * (0x1p-47 * reach);
   return chart;
 }
 
 Emission emit(const AreaChart& chart, const EmissionSample& sample) {
-  const Vec3 position = chart.lamp.at(sample.first);
+  const Vec3 position = chart.lamp.at(sample.first) + chart.lift;
   if (chart.collimated) return {{position, chart.normal}, chart.power};
 
   // Aim from this place of the lamp; the cosine at the lamp weighs the photon.

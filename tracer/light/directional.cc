@@ -31,13 +31,16 @@ Illumination illuminate(const DirectionalLight& light, Vec3, const UnitPoint& sa
   return {toward, kInfinity, light.irradiance * share_of_a_direction(one_minus_cos)};
 }
 
-DirectionalChart aim(const DirectionalLight& light, const Target& target, const BoundingSphere& surroundings) {
+DirectionalChart aim(const DirectionalLight& light, const Target& target, const Surroundings& surroundings) {
   DirectionalChart chart;
   chart.direction = light.direction;
   chart.one_minus_cos = one_minus_cos_of_sun(light);
   chart.window = upstream_window(target, light.direction, surroundings);
   chart.target = target;
   chart.surroundings = surroundings;
+  if (chart.one_minus_cos == 0) {
+    chart.surroundings.planes = planes_before(chart.window, chart.direction, surroundings.planes);
+  }
   chart.power = light.irradiance * (chart.window.area() * share_of_a_direction(chart.one_minus_cos));
   return chart;
 }
@@ -46,7 +49,8 @@ Emission emit_from_sun(const DirectionalChart& chart, const EmissionSample& samp
   // Turn the window to face the chosen direction of the sun's disc.
   const Vec3 direction = in_cone(chart.direction, surface_frame(chart.direction), chart.one_minus_cos, sample.second);
   const Window window = upstream_window(chart.target, direction, chart.surroundings);
-  return {{window.at(sample.first), direction}, chart.power * (window.area() / chart.window.area())};
+  const Vec3 start = before_planes(window.at(sample.first), direction, chart.surroundings);
+  return {{start, direction}, chart.power * (window.area() / chart.window.area())};
 }
 
 }  // namespace vitrail

@@ -14,16 +14,17 @@ struct DirectionalChart {
   double one_minus_cos = 0;  // of the sun's angular radius; 0 for parallel light
   Window window;             // across `direction`, upstream of everything
   Target target;
-  BoundingSphere surroundings;
-  Rgb power;  // through the window, W
+  Surroundings surroundings;  // for parallel light only those planes that are crossed before the window
+  Rgb power;                  // through the window, W
 };
 
-DirectionalChart aim(const DirectionalLight& light, const Target& target, const BoundingSphere& surroundings);
+DirectionalChart aim(const DirectionalLight& light, const Target& target, const Surroundings& surroundings);
 Emission emit_from_sun(const DirectionalChart& chart, const EmissionSample& sample);
 
 inline Emission emit(const DirectionalChart& chart, const EmissionSample& sample) {
   if (chart.one_minus_cos > 0) return emit_from_sun(chart, sample);
-  return {{chart.window.at(sample.first), chart.direction}, chart.power};
+  const Vec3 start = chart.window.at(sample.first);
+  return {{before_planes(start, chart.direction, chart.surroundings), chart.direction}, chart.power};
 }
 
 }  // namespace vitrail

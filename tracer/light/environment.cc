@@ -22,7 +22,7 @@ Illumination illuminate(const EnvironmentLight& light, Vec3 normal, const UnitPo
   return {toward, std::numeric_limits<double>::infinity(), light.radiance * (M_PI / facing)};
 }
 
-EnvironmentChart aim(const EnvironmentLight& light, const Target& target, const BoundingSphere& surroundings) {
+EnvironmentChart aim(const EnvironmentLight& light, const Target& target, const Surroundings& surroundings) {
   const double disc = M_PI * target.bound.radius * target.bound.radius;
   const Rgb total = light.image ? light.image->total() : light.radiance * (4 * M_PI);
   return {target, surroundings, light, total * disc};
@@ -42,7 +42,7 @@ Emission emit(const EnvironmentChart& chart, const EmissionSample& sample) {
   if (!(density > 0)) return {};
   const Window window = window_on(chart.target, -toward);
   const Vec3 start = upstream_of(window.at(sample.first), -toward, chart.surroundings);
-  return {{start, -toward}, radiance * (window.area() / density)};
+  return {{before_planes(start, -toward, chart.surroundings), -toward}, radiance * (window.area() / density)};
 }
 
 }  // namespace vitrail

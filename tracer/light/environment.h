@@ -12,12 +12,12 @@ Illumination illuminate(const EnvironmentLight& light, Vec3 normal, const UnitPo
 /// Photons from every direction through a window that covers the target.
 struct EnvironmentChart {
   Target target;
-  BoundingSphere surroundings;
+  Surroundings surroundings;
   EnvironmentLight light;
   Rgb power;  // through the disc around the target from all directions, W
 };
 
-EnvironmentChart aim(const EnvironmentLight& light, const Target& target, const BoundingSphere& surroundings);
+EnvironmentChart aim(const EnvironmentLight& light, const Target& target, const Surroundings& surroundings);
 Emission emit(const EnvironmentChart& chart, const EmissionSample& sample);
 
 }  // namespace vitrail

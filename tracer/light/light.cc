@@ -10,7 +10,7 @@ struct Overload : Cases... {
   using Cases::operator()...;
 };
 
-Chart chart_for(const Emitter& emitter, const Target& target, const BoundingSphere& surroundings) {
+Chart chart_for(const Emitter& emitter, const Target& target, const Surroundings& surroundings) {
   Chart chart;
   const auto set = [&](auto domain) {
     chart.power = domain.power;

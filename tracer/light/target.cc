@@ -26,10 +26,18 @@ Target target_of_plane(std::uint32_t object, const PlaneShape& plane, const Boun
 
 }  // namespace
 
+std::vector<PlaneShape> planes_of(const Scene& scene) {
+  std::vector<PlaneShape> planes;
+  for (const Object& object : scene.objects) {
+    if (const auto* plane = std::get_if<PlaneShape>(&object.shape)) planes.push_back(*plane);
+  }
+  return planes;
+}
+
 Targets find_targets(const Scene& scene, const Intersector& intersector) {
   Targets found;
   const Bounds finite = intersector.bounds();
-  if (!finite.is_empty()) found.surroundings = sphere_around(finite);
+  found.surroundings = {finite.is_empty() ? BoundingSphere{} : sphere_around(finite), planes_of(scene)};
   for (std::uint32_t i = 0; i < scene.objects.size(); ++i) {
     const Object& object = scene.objects[i];
     if (!is_specular(scene.material_of(i))) continue;

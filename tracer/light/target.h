@@ -21,11 +21,18 @@ struct Target {
   Bounds box;  // inside it as well; a cube around the sphere where nothing tighter is known
 };
 
+/// What light from infinity must start outside of.
+struct Surroundings : BoundingSphere {  // around everything finite
+  std::vector<PlaneShape> planes;       // the infinite planes
+};
+
 struct Targets {
   std::vector<Target> targets;
-  BoundingSphere surroundings;  // around everything finite, where light from infinity starts
+  Surroundings surroundings;
   std::vector<std::string> warnings;
 };
+
+std::vector<PlaneShape> planes_of(const Scene& scene);
 
 /// Every object whose material reflects or transmits. An infinite plane is aimed at where its mirror image of the
 /// finite objects is seen: a sphere about the foot of their centre; a warning says what lies outside.

@@ -40,4 +40,33 @@ Vec3 upstream_of(Vec3 point, Vec3 direction, const BoundingSphere& surroundings)
   return point + direction * std::min(0.0, start - dot(point, direction));
 }
 
+namespace {
+
+// How far upstream of the point light has crossed the plane; negative if it will cross it downstream, NaN if never.
+double way_from(const PlaneShape& plane, Vec3 point, Vec3 direction) {
+  const double climb = dot(direction, plane.normal);
+  const double way = dot(point - plane.point, plane.normal) / climb;
+  return std::isinf(way) ? std::numeric_limits<double>::quiet_NaN() : way;
+}
+
+}  // namespace
+
+Vec3 before_planes(Vec3 point, Vec3 direction, const Surroundings& surroundings) {
+  for (const PlaneShape& plane : surroundings.planes) {
+    const double way = way_from(plane, point, direction);
+    if (way >= 0) point = point - direction * (way + 0.001 * (way + surroundings.radius));
+  }
+  return point;
+}
+
+std::vector<PlaneShape> planes_before(const Window& window, Vec3 direction, const std::vector<PlaneShape>& planes) {
+  std::vector<PlaneShape> crossed;
+  for (const PlaneShape& plane : planes) {
+    const double reach = std::abs(dot(window.u, plane.normal)) + std::abs(dot(window.v, plane.normal));
+    const double farthest = way_from(plane, window.center, direction) + reach / std::abs(dot(direction, plane.normal));
+    if (farthest >= 0) crossed.push_back(plane);
+  }
+  return crossed;
+}
+
 }  // namespace vitrail

@@ -22,4 +22,11 @@ Window window_on(const Target& target, Vec3 direction);
 /// The point moved against `direction` to where nothing finite lies upstream of it.
 Vec3 upstream_of(Vec3 point, Vec3 direction, const BoundingSphere& surroundings);
 
+/// The point moved against `direction` to before every infinite plane that light from infinity crosses on its way to
+/// it: such a plane stops, mirrors or bends that light, as it stops a shadow ray.
+Vec3 before_planes(Vec3 point, Vec3 direction, const Surroundings& surroundings);
+
+/// The planes that light along `direction` has crossed before it passes some place of the window.
+std::vector<PlaneShape> planes_before(const Window& window, Vec3 direction, const std::vector<PlaneShape>& planes);
+
 }  // namespace vitrail

@@ -29,11 +29,6 @@ BoundingSphere everything(const Scene& scene, const Intersector& intersector) {
   return {(box.min + box.max) * 0.5, length(box.max - box.min) * 0.5};
 }
 
-bool has_plane(const Scene& scene) {
-  return std::any_of(scene.objects.begin(), scene.objects.end(),
-                     [](const Object& object) { return std::holds_alternative<PlaneShape>(object.shape); });
-}
-
 struct IndirectBlock {
   std::vector<PhotonRecord> photons;
   double cpu_s = 0;
@@ -80,8 +75,8 @@ IndirectMaps make_indirect_maps(const Scene& scene, const Intersector& intersect
   IndirectMaps maps;
   const BoundingSphere sphere = everything(scene, intersector);
   const Vec3 reach{sphere.radius, sphere.radius, sphere.radius};
-  const Targets targets{{{0, sphere, {sphere.center - reach, sphere.center + reach}}}, sphere, {}};
-  if (has_plane(scene)) {
+  const Targets targets{{{0, sphere, {sphere.center - reach, sphere.center + reach}}}, {sphere, planes_of(scene)}, {}};
+  if (!targets.surroundings.planes.empty()) {
     maps.warnings.push_back("indirect light counts what falls within " + std::to_string(sphere.radius) +
                             " m of the middle of the scene; replace infinite planes by rectangles to cover more");
   }
