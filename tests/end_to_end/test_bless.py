@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import shutil
 from pathlib import Path
 
@@ -35,11 +36,28 @@ def test_a_reference_is_made_kept_and_held_against(project: Path) -> None:
     assert blessed.returncode == 0 and "accepted:" in blessed.stdout
     again = vitrail("bless", scene, "--because", "again", "--quality", "draft", "--missing-only")
     assert "nothing to accept" in again.stdout
+    image = project / "references" / "card" / "reference.exr"
+    image.unlink()
+    restored = vitrail("bless", scene, "--again")
+    assert restored.returncode == 0 and "the same pixels as were accepted" in restored.stdout, restored.stderr
+    assert image.is_file() and '"d E / pi"' in image.with_name("provenance.yaml").read_text()
     done = vitrail("compare", scene, "--against", "stored", "--out", project / "out", "--format", "junit")
     assert done.returncode == 0 and 'failures="0"' in done.stdout
     scene.write_text(scene.read_text().replace("0.18", "0.19"))
     changed = vitrail("compare", scene, "--against", "stored", "--out", project / "out")
     assert changed.returncode == 2 and "bless again" in changed.stderr
+
+
+def test_a_recipe_that_gives_other_pixels_needs_a_new_reason(project: Path) -> None:
+    scene = project / "card.yaml"
+    assert vitrail("bless", scene, "--because", "d E / pi", "--quality", "draft").returncode == 0
+    provenance = project / "references" / "card" / "provenance.yaml"
+    accepted = provenance.read_text()
+    provenance.write_text(re.sub(r'content: "\w{8}', 'content: "00000000', accepted))
+    refused = vitrail("bless", scene, "--again")
+    assert refused.returncode == 2 and "gives other pixels now" in refused.stderr
+    assert vitrail("bless", scene, "--again", "--because", "a new compiler").returncode == 0
+    assert provenance.read_text() == accepted.replace("d E / pi", "a new compiler")
 
 
 def test_decisions_of_a_reader_are_applied(project: Path) -> None:

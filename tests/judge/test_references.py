@@ -8,6 +8,7 @@ import pytest
 
 from vitrail.judge.reference_files import ReferencesError
 from vitrail.judge.references import read_scene_truth, references_folder
+from vitrail.judge.thresholds import read_thresholds, thresholds_of
 from vitrail.scene.load import load, load_text
 from vitrail.scene.model import Scene
 
@@ -91,8 +92,21 @@ def test_every_published_truth_belongs_to_a_scene_and_is_measured_by_it() -> Non
 def test_the_references_nearest_to_the_scene_count(tmp_path: Path) -> None:
     own = tmp_path / "project" / "references"
     own.mkdir(parents=True)
-    (own / "thresholds.yaml").write_text("version: 1\n")
     assert references_folder(tmp_path / "project" / "scenes" / "x.yaml") == own
-    assert references_folder(tmp_path / "elsewhere.yaml") == ROOT / "references"
-    with pytest.raises(ReferencesError, match="has no thresholds.yaml"):
-        references_folder(tmp_path / "x.yaml", tmp_path)
+    assert references_folder(tmp_path / "project" / "scenes" / "x.yaml", tmp_path) == tmp_path
+    with pytest.raises(ReferencesError, match="there is no such folder"):
+        references_folder(tmp_path / "x.yaml", tmp_path / "nowhere")
+
+
+def test_a_scene_of_another_project_never_meets_our_references(tmp_path: Path) -> None:
+    """A copy of our ball lens, changed by its owner, must not be held against our closed form for it."""
+    copy = tmp_path / "ball_lens.yaml"
+    copy.write_text(SCENE)
+    assert references_folder(copy) == tmp_path / "references"
+    assert read_scene_truth(references_folder(copy), "ball_lens", scene()).of("card") == ()
+
+
+def test_a_project_without_thresholds_has_ours(tmp_path: Path) -> None:
+    assert thresholds_of(tmp_path) == read_thresholds(ROOT / "references" / "thresholds.yaml")
+    (tmp_path / "thresholds.yaml").write_text("suite_false_alarm_rate: {value: 0.05}\n")
+    assert thresholds_of(tmp_path).suite_false_alarm_rate == 0.05

@@ -29,12 +29,13 @@ def bless(
     settings: list[str] = SETTINGS,
     references: Path | None = typer.Option(None, "--references", help="The folder that holds the stored images."),
     missing_only: bool = typer.Option(False, "--missing-only", help="Leave scenes alone that have a usable reference."),
+    again: bool = typer.Option(False, "--again", help="Render by the recipe that is stored with each reference."),
     dry_run: bool = typer.Option(False, "--dry-run", help="Show what would change, and change nothing."),
 ) -> None:
     """Render or take each image, show it beside the one it replaces, and store it with its provenance."""
     with exit_codes(), reference_errors():
         if source is None:
-            found = _rendered(load_all(scenes or []), because, quality, settings, references, missing_only)
+            found = _rendered(load_all(scenes or []), because, quality, settings, references, missing_only, again)
         else:
             found = _taken(source, because, references)
         count = 0
@@ -48,30 +49,46 @@ def bless(
 
 
 def _rendered(
-    loaded: list[Loaded], because: str, quality: str, settings: list[str], references: Path | None, missing_only: bool
+    loaded: list[Loaded],
+    because: str,
+    quality: str,
+    settings: list[str],
+    references: Path | None,
+    missing_only: bool,
+    again: bool,
 ) -> Iterator[Proposal]:
     """Render every scene with the tracer, one after the other."""
     from vitrail.commands.progress_bar import progress_bar
     from vitrail.engines.tracer import Tracer
+    from vitrail.judge.reference_files import ReferencesError
     from vitrail.judge.references import references_folder
-    from vitrail.study.compare.accept import has_usable, propose_rendering
+    from vitrail.study.compare.accept import has_usable, propose_rendering, recipe_of
 
     overrides = overrides_of(loaded, quality, settings)
     for each in loaded:
         folder = references_folder(each.path, references)
         if missing_only and has_usable(each, folder):
             continue
+        reason = because
+        if again:
+            quality, overrides, older_reason = recipe_of(each, folder)
+            reason = because.strip() or older_reason
         with tempfile.TemporaryDirectory(prefix="vitrail-bless-") as work, progress_bar(each.path.stem) as show:
-            yield propose_rendering(
+            proposal = propose_rendering(
                 each,
                 folder,
-                because,
+                reason,
                 Path(work),
                 engine=Tracer(),
                 quality=quality,  # type: ignore[arg-type]
                 overrides=overrides,
                 progress=show,
             )
+        if again and not because.strip() and not proposal.is_unchanged:
+            raise ReferencesError(
+                f"{each.path}: its recipe gives other pixels now; look, and say with --because why they are right"
+            )
+        yield proposal
 
 
 def _taken(source: Path, because: str, references: Path | None) -> Iterator[Proposal]:
@@ -117,6 +134,8 @@ def _scenes_of(run: Path) -> list[dict[str, Any]]:
 def _show(proposal: Proposal) -> None:
     """The scene, the reason, and how each number moves from the old image to the new."""
     typer.echo(f"{proposal.loaded.path}: {proposal.provenance.because}")
+    if proposal.is_unchanged:
+        typer.echo("  the same pixels as were accepted")
     if proposal.older is None:
         typer.echo(f"  was: {proposal.older_is_unusable}")
         return

@@ -84,20 +84,18 @@ class SceneTruth:
 
 
 def references_folder(scene_path: Path, given: Path | None = None) -> Path:
-    """The folder of references: the given one, the nearest ``references`` above the scene, or that of the project.
+    """The folder of closed forms and accepted images: the given one, or the nearest ``references`` above the scene.
 
-    Raises ReferencesError when there is none with thresholds.
+    Where there is none yet it is the one beside the scene, so that nothing of one project is ever taken for another's.
+    Raises ReferencesError when the given one does not exist.
     """
     if given is not None:
-        candidates = [given]
-    else:
-        above = [folder / "references" for folder in scene_path.resolve().parents]
-        package = Path(__file__).resolve().parents[1]
-        candidates = [*above, package.parents[1] / "references", package / "references"]
-    for folder in candidates:
-        if (folder / "thresholds.yaml").is_file():
-            return folder
-    raise ReferencesError(f"{candidates[0]}: has no thresholds.yaml; give the folder with --references")
+        if not given.is_dir():
+            raise ReferencesError(f"{given}: there is no such folder of references; correct --references")
+        return given
+    beside = scene_path.resolve().parent / "references"
+    above = [folder / "references" for folder in scene_path.resolve().parents]
+    return next((folder for folder in above if folder.is_dir()), beside)
 
 
 def read_scene_truth(folder: Path, scene_name: str, scene: Scene) -> SceneTruth:

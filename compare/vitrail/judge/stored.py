@@ -10,7 +10,7 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -60,7 +60,7 @@ def read_stored(folder: Path, scene_name: str, scene_hash: str) -> Stored:
         raise ReferencesError(
             f'{place / IMAGE}: there is no stored reference; accept one with `vitrail bless SCENE --because "..."`'
         )
-    provenance = _read_provenance(place / PROVENANCE)
+    provenance = read_provenance(folder, scene_name)
     try:
         image = read_image(place / IMAGE)
     except ImageError as error:
@@ -111,13 +111,22 @@ def content_hash(image: ImageLayers) -> str:
     return digest.hexdigest()
 
 
+def stored_content(image: ImageLayers) -> str:
+    """The hash that an image will have once it is stored: its pixels rounded to half floats."""
+    halves = (image.radiance, image.half_a, image.half_b)
+    rounded = [None if array is None else array.astype(np.float32).astype(np.float16) for array in halves]
+    return content_hash(replace(image, radiance=rounded[0], half_a=rounded[1], half_b=rounded[2]))  # type: ignore[arg-type]
+
+
 def _ordered(provenance: Provenance, content: str) -> list[tuple[str, Any]]:
     """The fields in their fixed order, so that a change of one is one line of a diff."""
     values = {**vars(provenance), "content": content, "settings": dict(sorted(provenance.settings.items()))}
     return [(name, values[name]) for name in FIELDS]
 
 
-def _read_provenance(path: Path) -> Provenance:
+def read_provenance(folder: Path, scene_name: str) -> Provenance:
+    """Where a scene's reference comes from, and its recipe; the image need not be there. Raises ReferencesError."""
+    path = folder / scene_name / PROVENANCE
     found = read_yaml(path)
     missing = [name for name in FIELDS if name not in found]
     unknown = [name for name in found if name not in FIELDS]

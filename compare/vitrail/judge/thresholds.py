@@ -1,5 +1,7 @@
 """The tolerance of every metric, from ``references/thresholds.yaml``: a number with its reason, never one in the code.
 
+A project without such a file has the rules that come with Vitrail.
+
 A tolerance may be widened by what the certificate of the translation states for the phenomenon, and by nothing else.
 """
 
@@ -16,6 +18,7 @@ from vitrail.scene.phenomenon import Phenomenon
 
 Kind = Literal["relative", "of_patch", "absolute"]
 KINDS: tuple[Kind, ...] = ("relative", "of_patch", "absolute")
+THRESHOLDS = "thresholds.yaml"
 
 
 class ThresholdError(Exception):
@@ -66,6 +69,21 @@ class Thresholds:
                 f"references/thresholds.yaml has no rule for the metric `{family}`; add one with a reason"
             )
         return found
+
+
+def thresholds_of(references: Path) -> Thresholds:
+    """The rules of a project, or ours where its folder of references has none. Raises ThresholdError."""
+    own = references / THRESHOLDS
+    return read_thresholds(own if own.is_file() else own_references() / THRESHOLDS)
+
+
+def own_references() -> Path:
+    """The references that come with Vitrail: those of the repository, or in a wheel those beside the package."""
+    package = Path(__file__).resolve().parents[1]
+    for folder in (package.parents[1] / "references", package / "references"):
+        if (folder / THRESHOLDS).is_file():
+            return folder
+    raise ThresholdError(f"{package / 'references' / THRESHOLDS}: is missing; install Vitrail again")
 
 
 def read_thresholds(path: Path) -> Thresholds:

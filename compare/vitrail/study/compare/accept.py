@@ -16,7 +16,7 @@ from vitrail.judge.gates import check_gates
 from vitrail.judge.observe import Observed, observe
 from vitrail.judge.reference_files import ReferencesError
 from vitrail.judge.references import SceneTruth
-from vitrail.judge.stored import Provenance, Stored, read_stored, write_stored
+from vitrail.judge.stored import Provenance, Stored, read_provenance, read_stored, stored_content, write_stored
 from vitrail.lower.tracer import lower_tracer
 from vitrail.plan.analyse import analyse
 from vitrail.plan.budget import Quality, settings_for
@@ -42,6 +42,15 @@ class Proposal:
             return ()
         images = {"tracer": self.image, "stored": self.older.image}
         return observe(self.loaded.scene, images, (Pair.TRACER_STORED,), SceneTruth(), 0.0)
+
+    @property
+    def is_unchanged(self) -> bool:
+        """Whether the image, as it would be stored, has the very pixels that were accepted before."""
+        try:
+            accepted = read_provenance(self.folder, self.loaded.path.stem).content
+        except ReferencesError:
+            return False
+        return stored_content(self.image) == accepted
 
     def accept(self) -> Path:
         """Put the image in its place; returns its path."""
@@ -81,6 +90,18 @@ def propose_from_run(loaded: Loaded, folder: Path, because: str, run: Path, scen
         raise ReferencesError(f"{run}: has no image of the tracer for {scene['name']}; compare the scene again")
     record = {**engine["record"], "settings": scene["settings"]}
     return _proposal(loaded, folder, because, read_image(run / made["exr"]), record, scene["settings"]["quality"])
+
+
+def recipe_of(loaded: Loaded, folder: Path) -> tuple[Quality, dict[str, object], str]:
+    """Quality, settings and reason that the scene's reference was made with; its image need not be there.
+
+    Raises ReferencesError when there is no recipe, or one for another scene.
+    """
+    recipe = read_provenance(folder, loaded.path.stem)
+    if recipe.scene_hash != scene_hash(loaded.scene):
+        raise ReferencesError(f"{loaded.path}: has changed since its reference was accepted; bless it without --again")
+    settings = {key: value for key, value in recipe.settings.items() if key != "quality"}
+    return recipe.quality, settings, recipe.because  # type: ignore[return-value]
 
 
 def _proposal(

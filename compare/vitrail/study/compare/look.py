@@ -13,7 +13,7 @@ from vitrail.judge.paired import paired
 from vitrail.judge.records import GlobalMetric
 from vitrail.judge.references import read_scene_truth
 from vitrail.judge.stored import Stored
-from vitrail.judge.thresholds import read_thresholds
+from vitrail.judge.thresholds import thresholds_of
 from vitrail.judge.whole_image import global_metrics
 from vitrail.plan.budget import Settings
 from vitrail.scene.model import Scene
@@ -48,7 +48,7 @@ class Look:
         found = global_metrics(Pair.TRACER_POVRAY, self.images, stops)
         if self.stored is None:
             return found
-        rules = read_thresholds(self.references / "thresholds.yaml").stored_image
+        rules = thresholds_of(self.references).stored_image
         return found + global_metrics(Pair.TRACER_STORED, self._with_stored(), stops, rules)
 
     def _with_stored(self) -> dict[str, ImageLayers]:
