@@ -40,9 +40,8 @@ def compare(
     threads: int = typer.Option(0, "--threads", min=0, help="Threads of an engine; 0 takes every core."),
     jobs: int = typer.Option(1, "--jobs", min=1, help="Scenes worked on at a time."),
     against: Against = typer.Option(Against.POVRAY, "--against", help="What the tracer is held against."),
-    rounds: int = typer.Option(
-        1, "--rounds", min=0, help="How often to buy up to 16 times the samples where in doubt."
-    ),
+    rounds: int = typer.Option(1, "--rounds", min=0, help="How often to buy more samples for a scene in doubt."),
+    budget_s: float = typer.Option(60.0, "--budget-s", min=0, help="CPU seconds that may cost a scene in doubt."),
     references: Path | None = typer.Option(None, "--references", help="The folder of closed forms and thresholds."),
     inject_defect: str = typer.Option("", "--inject-defect", help="Put a known mistake in, to see it caught."),
     form: Format = typer.Option(Format.HUMAN, "--format", help="How the results are printed."),
@@ -62,6 +61,7 @@ def compare(
             threads=threads,
             jobs=jobs,
             rounds=rounds,
+            budget_s=budget_s,
             against=against.sides,
             references=references,
             defect=defect_named(inject_defect),

@@ -43,6 +43,8 @@ def attention(scene: SceneResult) -> list[str]:
             if comparison.verdict is observation.verdict:
                 lines.append(_line(scene, observation, comparison))
         lines += [f"  not measured: {escape(reason)}" for reason in observation.unmeasured]
+    if scene.more_samples is not None:
+        lines.append(f"  undecided: {escape(scene.more_samples.reason)}; --budget-s bounds it")
     if lines and scene.reproduce:
         lines.append(f"  again: {escape(scene.reproduce)}")
     return lines

@@ -114,6 +114,20 @@ class ImageFiles(Record):
     layers: dict[str, str] = {}
 
 
+class MoreSamples(Record):
+    """What deciding a scene in doubt would cost: ``factor`` times the samples, ``cpu_s`` CPU seconds more.
+
+    Both are null where no number of samples decides. ``budget_s`` is what one scene may cost beyond its first look;
+    ``affordable`` says whether what is left of it pays. The price is measured on this machine, as all times are.
+    """
+
+    factor: float | None = None
+    cpu_s: float | None = None
+    budget_s: float = Field(ge=0)
+    affordable: bool
+    reason: str
+
+
 class SceneResult(Record):
     """Everything about one scene."""
 
@@ -139,6 +153,7 @@ class SceneResult(Record):
     warnings: tuple[str, ...] = ()
     reproduce: str = ""
     verdict: Verdict | None = None
+    more_samples: MoreSamples | None = None
     exit_code: int = Field(ge=0)
 
 
@@ -152,7 +167,11 @@ class FalseAlarms(Record):
 
 
 class Run(Record):
-    """Where and how the run was made; all that may differ between two equal runs is in here and in the engine runs."""
+    """Where and how the run was made.
+
+    All that may differ between two equal runs is in here, in the engine runs with their ``speed``, and in the price of
+    ``more_samples``.
+    """
 
     command: tuple[str, ...] = ()
     started: str = ""

@@ -31,7 +31,7 @@ observe: [{name: card, phenomenon: diffusion, patch: {center: [0, 0, 0], u: [0.2
 class FormulaEngine:
     """Renders ``radiance`` everywhere, with noise of relative size ``noise`` a sample in each half.
 
-    ``noisy`` limits the noise to the scene of that title.
+    ``noisy`` limits the noise to the scene of that title; ``stays_noisy`` gives samples no effect.
     ``script`` has a word for each render to come: empty to succeed, ``interrupt`` for Ctrl-C, else words to fail with.
     """
 
@@ -39,6 +39,7 @@ class FormulaEngine:
     radiance: float = 0.5
     noise: float = 0.0
     noisy: str = ""
+    stays_noisy: bool = False
     script: list[str] = field(default_factory=list)
     spoil: Callable[[np.ndarray], np.ndarray] = field(default=lambda image: image)
     renders: int = 0
@@ -56,7 +57,7 @@ class FormulaEngine:
         scene_hash = lowered["scene_hash"] if isinstance(lowered, dict) else lowered.scene_hash
         is_quiet = bool(self.noisy) and (not isinstance(lowered, dict) or lowered["title"] != self.noisy)
         samples = lowered["settings"]["samples"] if isinstance(lowered, dict) else 1
-        noise = 0.0 if is_quiet else self.noise / math.sqrt(samples)
+        noise = 0.0 if is_quiet else self.noise / math.sqrt(1 if self.stays_noisy else samples)
         rng = np.random.default_rng(sum(map(ord, self.name)))
         halves = [self.radiance * (1 + noise * rng.standard_normal((32, 32, 3))) for _ in "ab"]
         out_dir.mkdir(parents=True, exist_ok=True)

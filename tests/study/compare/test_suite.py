@@ -90,8 +90,8 @@ def test_doubt_buys_samples_and_only_for_the_scene_in_doubt(tmp_path: Path, card
     other = card.path.with_name("other.yaml")
     other.write_text(CARD.replace("Grey card", "Second card"))
     tracer = FormulaEngine("tracer", noise=0.02, noisy="Second card")
-    results = run(tmp_path, [card, load(other)], tracer=tracer, rounds=2)
-    assert results.exit_code == 0, "sixteen times the samples were offered and decide"
+    results = run(tmp_path, [card, load(other)], tracer=tracer, rounds=2, budget_s=1e6)
+    assert results.exit_code == 0, "the samples that were bought decide"
     sure, doubtful = results.scenes
     assert sure.settings["samples"] == 1 and doubtful.settings["samples"] > 1
     assert f"--set samples={doubtful.settings['samples']}" in doubtful.reproduce
@@ -101,9 +101,22 @@ def test_doubt_buys_samples_and_only_for_the_scene_in_doubt(tmp_path: Path, card
 
 
 def test_doubt_that_outlasts_the_rounds_stays_doubt(tmp_path: Path, card: Loaded) -> None:
-    tracer = FormulaEngine("tracer", noise=5.0)
-    results = run(tmp_path, [card], tracer=tracer, rounds=1)
+    tracer = FormulaEngine("tracer", noise=0.5, stays_noisy=True)
+    results = run(tmp_path, [card], tracer=tracer, rounds=1, budget_s=1e9)
     assert (results.verdict, tracer.renders) == (Verdict.INCONCLUSIVE, 2)
+
+
+def test_doubt_that_costs_more_than_its_bound_buys_nothing_and_says_the_price(tmp_path: Path, card: Loaded) -> None:
+    tracer = FormulaEngine("tracer", noise=0.5)
+    scene = only(run(tmp_path, [card], tracer=tracer, rounds=3, budget_s=10.0))
+    assert (scene.verdict, tracer.renders) == (Verdict.INCONCLUSIVE, 1)
+    wish = scene.more_samples
+    assert wish is not None and not wish.affordable and wish.cpu_s is not None and wish.cpu_s > wish.budget_s == 10.0
+    # The two looks of 4 CPU s that the engines claim are gone from what is left.
+    noisy = FormulaEngine("tracer", noise=0.02, stays_noisy=True)
+    out = tmp_path / "again"
+    spent = only(run(out, [card], tracer=noisy, rounds=1, budget_s=1000.0)).more_samples
+    assert spent is not None and "996 of the 1000 CPU s" in spent.reason
 
 
 def test_a_number_that_comes_and_goes_with_the_noise_is_not_taken_for_exact() -> None:

@@ -14,6 +14,9 @@ from vitrail.lower.povray import PovrayScene
 from vitrail.plan.budget import Quality
 from vitrail.scene.model import Scene
 
+BUDGET_S = 60.0
+"""CPU seconds that one scene may cost beyond its first look: a minute is what a person waits for an answer."""
+
 
 @dataclass(frozen=True)
 class Defect:
@@ -36,8 +39,9 @@ class Request:
 
     ``against`` says what the tracer is held against beside closed forms: ``povray``, ``stored`` (its own accepted
     image, made again by that image's recipe), both, or nothing. ``threads`` 0 takes every core; ``jobs`` scenes are
-    worked on at a time; after the first look up to ``rounds`` more buy samples for the scenes in doubt. ``references``
-    is the folder of closed forms, thresholds and stored images, or None for the one nearest to each scene.
+    worked on at a time; after the first look up to ``rounds`` more buy samples for the scenes in doubt, for at most
+    ``budget_s`` CPU seconds each. ``references`` is the folder of closed forms, thresholds and stored images, or None
+    for the one nearest to each scene.
     """
 
     out: Path
@@ -46,6 +50,7 @@ class Request:
     threads: int = 0
     jobs: int = 1
     rounds: int = 0
+    budget_s: float = BUDGET_S
     references: Path | None = None
     defect: Defect = Defect()
     against: tuple[str, ...] = ("povray",)

@@ -20,11 +20,11 @@ from vitrail.judge.judgement import judge_observation
 from vitrail.judge.records import Results, Run, SceneResult, Status, write_results
 from vitrail.judge.references import read_scene_truth, references_folder
 from vitrail.judge.stored import read_stored
-from vitrail.judge.thresholds import read_thresholds
+from vitrail.judge.thresholds import thresholds_of
 from vitrail.judge.verdict import overall
 from vitrail.scene.load import Loaded
 from vitrail.scene.print import scene_hash
-from vitrail.study.compare.more_samples import more, wanted_factor
+from vitrail.study.compare.more_samples import more, offer
 from vitrail.study.compare.request import Request
 from vitrail.study.compare.scene_run import SceneRun, run_scene
 
@@ -42,12 +42,14 @@ def compare(scenes: Sequence[Loaded], request: Request, watch: Watch = lambda *s
     request.out.mkdir(parents=True, exist_ok=True)
     names = scene_names([loaded.path for loaded in scenes])
     runs: dict[str, SceneRun] = {}
+    left_s: dict[str, float] = {}
     interrupted = False
 
     def finish() -> Results:
         ordered = [runs[name] for name in names if name in runs]
         spent = {"wall_s": round(time.monotonic() - clock, 3), "interrupted": interrupted}
         results = judge(ordered, about.model_copy(update=spent), looks=1 + request.rounds)
+        results = _priced(results, left_s, request)
         write_results(results, request.out / "results.json")
         return results
 
@@ -58,6 +60,8 @@ def compare(scenes: Sequence[Loaded], request: Request, watch: Watch = lambda *s
                 # An engine that was interrupted brings its unfinished image home; the rest must not start then.
                 if run.record.status is Status.INTERRUPTED:
                     raise KeyboardInterrupt
+                # The first look is what was asked for; only those after it are paid from the budget.
+                left_s[name] = left_s[name] - _cpu_s(run.record) if name in left_s else request.budget_s
                 runs[name] = run
                 finish()
             todo = _undecided(finish(), dict(zip(names, scenes, strict=True)), request)
@@ -70,22 +74,36 @@ def _check_references(scenes: Sequence[Loaded], request: Request) -> None:
     """Refuse unusable references before an hour of rendering, not after it."""
     for loaded in scenes:
         folder = references_folder(loaded.path, request.references)
-        read_thresholds(folder / "thresholds.yaml")
+        thresholds_of(folder)
         read_scene_truth(folder, loaded.path.stem, loaded.scene)
         if "stored" in request.against:
             read_stored(folder, loaded.path.stem, scene_hash(loaded.scene))
 
 
+def _priced(results: Results, left_s: Mapping[str, float], request: Request) -> Results:
+    """The results, each scene in doubt with what it would cost to decide it."""
+    scenes = [
+        scene.model_copy(update={"more_samples": offer(scene, max(left_s[scene.name], 0.0), request.budget_s)})
+        for scene in results.scenes
+    ]
+    return results.model_copy(update={"scenes": tuple(scenes)})
+
+
 def _undecided(results: Results, scenes: Mapping[str, Loaded], request: Request) -> list[tuple[str, Loaded, Request]]:
-    """The scenes in doubt, each with a request for as many more samples as its numbers ask for."""
+    """The scenes in doubt that can pay, each with a request for as many more samples as its numbers ask for."""
     found = []
     for scene in results.scenes:
-        factor = wanted_factor(scene)
-        if factor is not None:
+        wish = scene.more_samples
+        if wish is not None and wish.affordable and wish.factor is not None:
             loaded = scenes[scene.name]
-            wish = more(scene.settings, factor, fixed_samples=loaded.scene.image.samples is not None)
-            found.append((scene.name, loaded, replace(request, overrides={**request.overrides, **wish})))
+            bought = more(scene.settings, wish.factor, fixed_samples=loaded.scene.image.samples is not None)
+            found.append((scene.name, loaded, replace(request, overrides={**request.overrides, **bought})))
     return found
+
+
+def _cpu_s(record: SceneResult) -> float:
+    """What one look at a scene took, both engines together."""
+    return sum(engine.cpu_s or 0.0 for engine in record.engines)
 
 
 def judge(runs: Sequence[SceneRun], about: Run, *, looks: int = 1, comparisons: int | None = None) -> Results:
@@ -96,7 +114,7 @@ def judge(runs: Sequence[SceneRun], about: Run, *, looks: int = 1, comparisons: 
     own = looks * sum(len(observed.measured) for run in runs for observed in run.observed)
     comparisons = max(own, comparisons or 0)
     folders = {run.references for run in runs if run.references is not None}
-    rules = {folder: read_thresholds(folder / "thresholds.yaml") for folder in folders}
+    rules = {folder: thresholds_of(folder) for folder in folders}
     rate = min((each.suite_false_alarm_rate for each in rules.values()), default=SUITE_FALSE_ALARM_RATE)
     shared = sidak(rate, comparisons)
     scenes = tuple(
