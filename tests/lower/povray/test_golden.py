@@ -26,4 +26,4 @@ def test_a_plan_without_a_caustic_emits_no_photons() -> None:
 def test_a_plan_without_dispersion_or_absorption_emits_neither() -> None:
     for name in SCENES:
         for text in emitted(name).values():
-            assert "dispersion" not in text and "fade_color" not in text and "radiosity" not in text
+            assert "dispersion" not in text and "media" not in text and "radiosity" not in text

@@ -22,7 +22,7 @@ from vitrail.lower.povray.light_factor import light_factor
 from vitrail.lower.povray.lights import sources
 from vitrail.lower.povray.meshes import meshes_of
 from vitrail.lower.povray.modes import Mode, mode_of
-from vitrail.lower.povray.nesting import needs_media, nesting_of
+from vitrail.lower.povray.nesting import nesting_of
 from vitrail.lower.povray.normalise import Normalisation, normalise
 from vitrail.lower.povray.objects import ObjectText
 from vitrail.lower.povray.photons import PhotonPass, photon_pass
@@ -103,8 +103,7 @@ def lower_povray(scene: Scene, plan: Plan, settings: Settings, loaded: Loaded | 
     photons = photon_pass(scene, plan, settings, lights["a"], len(mode.bands), meshes, units, refusals)
     depth, placement = trace_depth(plan, settings.quality), with_gaps(scene, units)
     nesting = nesting_of(scene, units)
-    has_media = needs_media(scene, plan, nesting)
-    objects = ObjectText(scene, plan, units, photons is not None, indices, meshes, nesting, has_media)
+    objects = ObjectText(scene, plan, units, photons is not None, indices, meshes, nesting)
     text = SceneText(scene, plan, units, lights, photons, depth, placement, objects, settings.quality)
     translation = Translation(
         scene=scene,

@@ -15,12 +15,10 @@ from dataclasses import dataclass
 
 from vitrail.lower.povray.gaps import smaller
 from vitrail.lower.povray.normalise import Normalisation
-from vitrail.plan.plan import Plan
 from vitrail.scene.absorption import absorption_per_m
 from vitrail.scene.inside import is_solid
 from vitrail.scene.model import Object, Scene
 from vitrail.scene.overlap import overlap
-from vitrail.scene.phenomenon import Phenomenon
 from vitrail.scene.placement import Placed, place
 
 HAIR = 4e-4
@@ -43,10 +41,6 @@ class Nesting:
     cuts: tuple[tuple[Cut, ...], ...]
     hosts: tuple[tuple[int, ...], ...]
     omitted: frozenset[int]
-
-    def meets_glass(self, index: int) -> bool:
-        """Whether light in a solid may next hit the face of another: then its absorption is no matter of its own."""
-        return bool(self.cuts[index] or self.hosts[index])
 
 
 def nesting_of(scene: Scene, units: Normalisation) -> Nesting:
@@ -89,9 +83,3 @@ def _is_air(scene: Scene, item: Object) -> bool:
     material = scene.material_of(item)
     passes_all = material.ior == 1 and min(material.transmission) == 1 and max(absorption_per_m(material)) == 0
     return is_solid(item) and passes_all and (item.priority or 0) > 0
-
-
-def needs_media(scene: Scene, plan: Plan, nesting: Nesting) -> bool:
-    """Whether some absorbing glass meets other glass."""
-    materials = [scene.material_of(item) for index, item in enumerate(scene.objects) if nesting.meets_glass(index)]
-    return plan.requires(Phenomenon.ABSORPTION) and any(max(absorption_per_m(each)) > 0 for each in materials)

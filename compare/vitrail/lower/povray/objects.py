@@ -37,7 +37,6 @@ class ObjectText:
     indices: Indices
     meshes: Meshes
     nesting: Nesting
-    has_media: bool = False
 
     def sdl(self, index: int, placed: Placed, exposure: Exposure, is_shooting: bool) -> str:
         """The object in one run; ``placed`` is its shape, where a gap has been opened already."""
@@ -46,7 +45,7 @@ class ObjectText:
         shape = self._shape(item, placed)
         after = [
             *self._textures(index, placed, exposure),
-            self._interior(material, exposure, is_shooting, self.nesting.meets_glass(index)),
+            self._interior(material, exposure, is_shooting),
             self._photons(material),
         ]
         if not cuts:
@@ -107,10 +106,11 @@ class ObjectText:
     def _has_ambient(self) -> bool:
         return isinstance(self.scene.transport.indirect, Ambient) and self.plan.requires(Phenomenon.INDIRECT_LIGHT)
 
-    def _interior(self, material: Material, exposure: Exposure, is_shooting: bool, meets_glass: bool) -> str:
+    def _interior(self, material: Material, exposure: Exposure, is_shooting: bool) -> str:
         """The index where light enters or Fresnel asks for it, and the absorption where the plan wants it.
 
-        POV-Ray's fade absorbs only up to a face of its own solid; where others are met, a medium does, all the way.
+        A medium absorbs on every way inside. POV-Ray's fade would not: it dims what leaves through a face of its own
+        solid, and neither what the face mirrors back nor what ends on a body inside [P 7].
         """
         if not material.is_transmissive and not (material.fresnel and material.is_specular):
             return ""
@@ -118,9 +118,15 @@ class ObjectText:
         inside = ""
         if absorbing and max(absorption_per_m(material)) > 0:
             per_unit = exposure.share(self._absorption_per_unit(material))
-            inside = f"media {{ absorption {rgb(per_unit)} }}" if meets_glass else _fade(per_unit)
+            inside = f"media {{ absorption {rgb(per_unit)} }}" if max(per_unit) > 0 else ""
         interior = block("interior", [self.indices.sdl(material, exposure, is_shooting), inside])
-        return f"{interior}\nhollow" if self.has_media and material.is_transmissive else interior
+        return f"{interior}\nhollow" if self._has_media and material.is_transmissive else interior
+
+    @property
+    def _has_media(self) -> bool:
+        """Whether something absorbs: then every solid that light crosses must be hollow, or its media are skipped."""
+        absorbs = any(max(absorption_per_m(each)) > 0 for each in self.scene.materials.values())
+        return absorbs and self.plan.requires(Phenomenon.ABSORPTION)
 
     def _absorption_per_unit(self, material: Material) -> Triplet:
         red, green, blue = absorption_per_m(material)
@@ -134,11 +140,3 @@ class ObjectText:
         reflection = "on" if max(material.reflection) > 0 or material.fresnel else "off"
         collect = "" if material.is_diffuse else "collect off"
         return block("photons", ["target", f"refraction {refraction}", f"reflection {reflection}", collect])
-
-
-def _fade(per_unit: Triplet) -> str:
-    """exp(-(1 - fade_color) x / fade_distance), which is Beer-Lambert with fade_color = 1 - sigma [P 3.3]."""
-    if max(per_unit) == 0:
-        return ""
-    remaining = (1 - per_unit[0], 1 - per_unit[1], 1 - per_unit[2])
-    return f"fade_distance 1 fade_power 1001 fade_color {rgb(remaining)}"

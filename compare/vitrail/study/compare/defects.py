@@ -16,7 +16,7 @@ from vitrail.lower.povray.sdl import number, rgb
 from vitrail.study.compare.request import Defect
 
 LIGHT = re.compile(r"(light_source \{ <[^>]*> )rgb (<[^>]*>|[-+.\deE]+)")
-FADE = re.compile(r"fade_distance 1 fade_power 1001 fade_color rgb (<[^>]*>|[-+.\deE]+)")
+ABSORBING = re.compile(r"media \{ absorption rgb (<[^>]*>|[-+.\deE]+) \}")
 
 SPACING = re.compile(r"spacing ([-+.\deE]+)")
 PARALLEL = re.compile(r"rgb <([-+.\deE]+), [^>]*> parallel")
@@ -57,18 +57,18 @@ def brighter_lights(factor: float) -> Callable[[str], str]:
 
 
 def naive_fade(text: str) -> str:
-    """Paste colour and distance of the attenuation where POV-Ray wants one minus the coefficient.
+    """Paste colour and distance of the attenuation into a fade, which wants one minus the coefficient.
 
     The colour is stated where a tenth of the strongest channel is left, as an author of a material would.
     """
 
     def change(found: re.Match[str]) -> str:
-        coefficients = [1 - left for left in _numbers(found[1])]
+        coefficients = _numbers(found[1])
         distance = math.log(10) / max(coefficients)
         red, green, blue = (math.exp(-each * distance) for each in coefficients)
         return f"fade_distance {number(distance)} fade_power 1001 fade_color {rgb((red, green, blue))}"
 
-    return FADE.sub(change, text)
+    return ABSORBING.sub(change, text)
 
 
 def _overflow(scene: PovrayScene) -> PovrayScene:
