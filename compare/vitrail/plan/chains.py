@@ -27,6 +27,8 @@ def longest_chain(scene: Scene) -> Chain:
         if all(_is_invisible(scene.material_of(item)) and is_convex_or_flat(item) for item in specular):
             faces = sum(1 if isinstance(item.shape, Plane) else 2 for item in specular)
             return _chain(scene, 0, faces, "all glass has index 1 and mirrors nothing: light goes straight on")
+        if len(specular) == 1 and _is_left_for_good(scene, specular[0]):
+            return _in_and_out(scene, specular[0])
     limits = scene.transport
     names = ", ".join(f"`{item.name}`" for item in specular[:8]) + (" and more" if len(specular) > 8 else "")
     return Chain(limits.max_reflections, limits.max_transmissions, False, f"no limit is proven for {names}")
@@ -35,6 +37,20 @@ def longest_chain(scene: Scene) -> Chain:
 def _chain(scene: Scene, reflections: int, transmissions: int, reason: str) -> Chain:
     limits = scene.transport
     return Chain(min(reflections, limits.max_reflections), min(transmissions, limits.max_transmissions), True, reason)
+
+
+def _in_and_out(scene: Scene, glass: Object) -> Chain:
+    """Light gets into convex glass and out once; only how often it is mirrored inside stays without a limit."""
+    limits = scene.transport
+    reason = f"no limit of reflections is proven inside `{glass.name}`, which light enters and leaves once"
+    return Chain(limits.max_reflections, min(2, limits.max_transmissions), False, reason)
+
+
+def _is_left_for_good(scene: Scene, item: Object) -> bool:
+    """Smooth convex or flat glass, the camera outside: what leaves it goes straight on and never meets it again."""
+    material = scene.material_of(item)
+    is_smooth_glass = material.is_transmissive and material.roughness == 0
+    return is_smooth_glass and is_convex_or_flat(item) and not camera_may_be_inside(scene, item)
 
 
 def _mirrors_once(scene: Scene, item: Object) -> bool:

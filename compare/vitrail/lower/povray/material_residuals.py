@@ -40,6 +40,11 @@ def mirror_share(material: Material) -> float:
     return ((index - 1) / (index + 1)) ** 2
 
 
+def total_reflection_share(material: Material) -> float:
+    """What one total reflection leaves of a path at most: r + t where light can be inside, else 0."""
+    return max(specular_pool(material, Exposure())) if material.is_transmissive and material.ior != 1 else 0.0
+
+
 def _pool(item: str, material: Material) -> Iterator[Entry]:
     """Glass whose channels differ, in a run that shows all of them: total reflection and Fresnel miss s."""
     pool = specular_pool(material, Exposure())

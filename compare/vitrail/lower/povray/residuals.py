@@ -10,7 +10,7 @@ from vitrail.lower.povray.depth import LIMIT, TraceDepth
 from vitrail.lower.povray.gaps import GAP, Shrunk
 from vitrail.lower.povray.indices import Indices
 from vitrail.lower.povray.lights import FADE_SHARE, Source
-from vitrail.lower.povray.material_residuals import material_entries, mirror_share
+from vitrail.lower.povray.material_residuals import material_entries, mirror_share, total_reflection_share
 from vitrail.lower.povray.modes import Mode
 from vitrail.lower.povray.nesting import HAIR, Nesting
 from vitrail.lower.povray.normalise import Normalisation
@@ -157,6 +157,17 @@ def _depth(translation: Translation) -> Iterator[Entry]:
         RELATIVE,
         "POV-Ray has one counter; light mirrored more often than the scene allows still counts",
     )
+    pool = max(total_reflection_share(material) for material in scene.materials.values())
+    if pool > 0 and depth.level > chain.reflections + 3 and plan.requires(Phenomenon.TOTAL_INTERNAL_REFLECTION):
+        yield Entry(
+            Phenomenon.TOTAL_INTERNAL_REFLECTION,
+            "path",
+            f"at most {chain.reflections} reflections",
+            f"at most {depth.level} levels",
+            pool ** (chain.reflections + 1),
+            "of a path",
+            "what such a path weighs; how many there are depends on shapes, and the tracer counts what it cuts",
+        )
 
 
 def _grids(translation: Translation) -> Iterator[Entry]:

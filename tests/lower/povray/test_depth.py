@@ -1,0 +1,49 @@
+"""Where a path ends: POV-Ray has one counter for what a scene counts apart."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from tests.lower.povray.real_povray import lowered, rendered, scene
+from vitrail.scene.phenomenon import Phenomenon
+
+PIPE = "- {name: pipe, box: {min: [0, 0, -0.5], max: [4, 0.5, 0.5]}, material: glass}"
+PANEL = "- {name: panel, rectangle: {center: [4.01, 0, 0], u: [0, 4, 0], v: [0, 0, 4]}, material: panel}"
+MATERIALS = "glass: {transmission: 1, ior: 1.5}\npanel: {emission: 1}"
+
+
+@pytest.mark.parametrize("most", [0, 2, 3, 4])
+def test_light_in_a_pipe_is_mirrored_as_often_as_the_scene_allows(most: int) -> None:
+    """Unfolded: a ray that enters at y with the slope t crosses floor((y + 4 t) / 0.5) walls before it gets out."""
+    sine = 0.615
+    slope = (sine / 1.5) / math.sqrt(1 - (sine / 1.5) ** 2)
+    # Look at the end face at this angle, 64 rows of it.
+    way = np.array([math.sqrt(1 - sine**2), sine, 0.0])
+    position = np.array([0.0, 0.25, 0.0]) - 2 * way
+    height = 0.5 * math.sqrt(1 - sine**2)
+    camera = (
+        f"camera: {{kind: orthographic, position: {position.tolist()}, look_at: [0, 0.25, 0],"
+        f" up: [0, 1, 0], height: {height}}}"
+    )
+    image, limits = "image: {width: 4, height: 64}", f"transport: {{max_reflections: {most}}}"
+    loaded = scene(MATERIALS, f"{PIPE}\n{PANEL}", lights="", camera=camera, image=image, more=limits)
+    entry = 0.5 - (np.arange(64) + 0.5) / 64 * 0.5
+    walls = np.floor((entry + 4 * slope) / 0.5)
+    clear = abs((entry + 4 * slope) / 0.5 - np.round((entry + 4 * slope) / 0.5)) > 0.02
+    expected = (walls <= most).astype(float)
+    assert walls.min() == 3 and walls.max() == 4
+    assert rendered(loaded).image.radiance[clear, 1, 0] == pytest.approx(expected[clear], abs=1e-3)
+
+
+def test_where_the_counter_is_longer_than_the_scene_allows_the_certificate_names_the_weight_of_such_a_path() -> None:
+    second = PIPE.replace("pipe", "other").replace("0, 0, -0.5", "0, 1, -0.5").replace("4, 0.5, 0.5", "4, 1.5, 0.5")
+    materials = MATERIALS.replace("transmission: 1", "transmission: 0.9")
+    limits = "transport: {max_reflections: 3}"
+    certificate = lowered(scene(materials, f"{PIPE}\n{second}\n{PANEL}", more=limits)).certificate
+    mirrored = [entry for entry in certificate.of(Phenomenon.TOTAL_INTERNAL_REFLECTION) if entry.item == "path"]
+    assert [entry.residual for entry in mirrored] == [pytest.approx(0.9**4)]
+    # It says what one path may weigh, not how many there are, so it widens no tolerance.
+    assert mirrored[0].unit == "of a path"
