@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.plan.small_scenes import BALL, FLOOR, ball_over_floor, make
+from tests.plan.small_scenes import BALL, FLOOR, SUN, ball_over_floor, make
 from vitrail.plan.light_paths import caustic_paths
 from vitrail.scene.model import Scene
 
@@ -44,6 +44,37 @@ def names(scene: Scene) -> set[tuple[str, str, str]]:
 def test_a_light_has_to_reach_the_glass(lamp: str, reaches: bool) -> None:
     found = names(ball_over_floor("clear", lights=(LAMPS[lamp],)))
     assert found == ({("lamp", "ball", "floor")} if reaches else set())
+
+
+ROOF = "{name: roof, plane: {point: [0, %s, 0], normal: [0, 1, 0]}, material: %s}"
+UNDER_THE_ROOF = "{position: [0, 1.5, 6], look_at: [0, 0, 0], fov_deg: 40}"
+HALF_UP = "{name: sun, directional: {direction: [1, -0.01, 0], irradiance: 3, angular_diameter_deg: %s}}"
+
+
+@pytest.mark.parametrize(
+    ("roof", "lamp", "reaches"),
+    [
+        (ROOF % (4, "black"), SUN, False),
+        (ROOF % (3, "white"), SUN, False),
+        ((ROOF % (4, "black")).replace("[0, 1, 0]", "[0, -1, 0]"), SUN, False),
+        (ROOF % (4, "black"), LAMPS["point"], False),
+        (ROOF % (4, "black"), LAMPS["spot_at"], False),
+        # The plane cuts through the ball, or stands above the lamp, or below the ball.
+        (ROOF % (2.5, "black"), SUN, True),
+        (ROOF % (7, "black"), LAMPS["point"], True),
+        (ROOF % (0.5, "black"), SUN, True),
+        # Some of a wide sun shines from below the horizon; some of a sky does always.
+        (ROOF % (4, "black"), HALF_UP % 0.5, False),
+        (ROOF % (4, "black"), HALF_UP % 2, True),
+        (ROOF % (4, "black"), LAMPS["sky"], True),
+        # A mirror, and glass below the plane, are lit themselves.
+        (ROOF % (4, "mirror"), SUN, True),
+    ],
+)
+def test_an_infinite_plane_before_the_glass_leaves_no_caustic(roof: str, lamp: str, reaches: bool) -> None:
+    """Both engines block all light that has to cross it."""
+    found = names(make(FLOOR, BALL % "clear", roof, lights=(lamp,), camera=UNDER_THE_ROOF))
+    assert bool(found) == reaches
 
 
 def test_a_convex_mirror_does_not_light_itself() -> None:

@@ -2,7 +2,7 @@
 
 The reasoning only ever drops what geometry proves impossible: a path is kept when the light may reach the specular
 object, the object may send light to the receiver, and the camera may see the receiver, directly or by way of any
-specular object in view. What stands in between is ignored.
+specular object in view. What stands in between is ignored, but for infinite planes that cut off all of a light.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ from vitrail.plan.bounds import bounds_of
 from vitrail.plan.convexity import never_meets_itself
 from vitrail.plan.light_reach import may_reach
 from vitrail.plan.plan import CausticPath
+from vitrail.plan.upstream import is_shut_off
 from vitrail.plan.view import View, view_of
 from vitrail.scene.model import Object, Plane, Scene
 from vitrail.scene.placement import place
@@ -67,10 +68,11 @@ def may_send(scene: Scene, source: Object, target: Object) -> bool:
 
 
 def _lit_by_chains(scene: Scene, light_name: str) -> tuple[Object, ...]:
-    """Specular objects that a light reaches directly, or by way of others."""
+    """Specular objects that a light reaches directly, past every infinite plane, or by way of others."""
     light = next(item for item in scene.lights if item.name == light_name)
     speculars = specular_objects(scene)
-    return speculars if any(may_reach(light, item) for item in speculars) else ()
+    reached = any(may_reach(light, item) and not is_shut_off(scene, light, item) for item in speculars)
+    return speculars if reached else ()
 
 
 def _may_see(view: View, item: Object) -> bool:

@@ -47,3 +47,15 @@ def test_where_the_counter_is_longer_than_the_scene_allows_the_certificate_names
     assert [entry.residual for entry in mirrored] == [pytest.approx(0.9**4)]
     # It says what one path may weigh, not how many there are, so it widens no tolerance.
     assert mirrored[0].unit == "of a path"
+
+
+def test_light_that_has_to_cross_an_infinite_plane_arrives_nowhere() -> None:
+    """POV-Ray's photons end at the plane, too: the plan knows it, and asks for none."""
+    objects = """
+    - {name: roof, plane: {point: [0, 3, 0], normal: [0, -1, 0]}, material: card}
+    - {name: ball, sphere: {center: [0, 1, 0], radius: 0.5}, material: glass}
+    - {name: floor, plane: {point: [0, 0, 0], normal: [0, 1, 0]}, material: card}
+    """
+    camera = "camera: {position: [0, 2, 3], look_at: [0, 0, 0], fov_deg: 40}"
+    seen = rendered(scene("glass: {transmission: 1, ior: 1.5}\ncard: {diffuse: 0.8}", objects, camera=camera))
+    assert seen.lowered.photons is None and seen.image.radiance.max() == 0
