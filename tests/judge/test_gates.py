@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from vitrail.judge.gates import Inspected, check_gates
+from vitrail.judge.gates import Inspected, check_gates, gate_same_exposure
 
 HASH = "a" * 64
 
@@ -72,3 +72,13 @@ def test_kernels_of_two_widths_are_not_compared() -> None:
 
 def test_a_foreign_image_need_not_say_its_scene() -> None:
     assert failures(good(metadata={})) == []
+
+
+def test_a_picture_that_is_exposed_without_saying_so_is_no_finding() -> None:
+    ramp = np.linspace(0.1, 1, 36).reshape(3, 4, 3)
+    dim, bright = good("candidate", radiance=ramp), good("reference", radiance=2 * ramp)
+    gate = gate_same_exposure(dim, bright)
+    assert not gate.passed and "is 0.5 times reference.exr at every pixel (-1.00 stops)" in gate.message
+    # A few per cent may be a finding, and so is whatever is not the same everywhere.
+    assert gate_same_exposure(dim, good("reference", radiance=1.05 * ramp)).passed
+    assert gate_same_exposure(dim, good("reference", radiance=2 * ramp + 0.01)).passed

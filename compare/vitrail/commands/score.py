@@ -15,9 +15,15 @@ from vitrail.commands.result_formats import Format, print_in
 def score(
     scene: Path = typer.Argument(..., metavar="SCENE", help="The scene that both images show."),
     candidate: Path = typer.Argument(..., metavar="CANDIDATE.exr", help="The image to judge."),
-    reference: Path = typer.Argument(..., metavar="REFERENCE.exr", help="The image to judge it by."),
+    reference: Path = typer.Argument(
+        None, metavar="[REFERENCE.exr]", help="The image to judge it by; without one closed forms alone judge."
+    ),
     out: Path = typer.Option(..., "--out", help="The folder for report and results."),
     references: Path | None = typer.Option(None, "--references", help="The folder of closed forms and thresholds."),
+    conformance: Path | None = typer.Option(
+        None, "--conformance", help="The folder of the renderer's images of scenes/conformance."
+    ),
+    unproven: bool = typer.Option(False, "--unproven", help="Judge a renderer that has not shown that it conforms."),
     form: Format = typer.Option(Format.HUMAN, "--format", help="How the results are printed."),
     as_json: bool = typer.Option(False, "--json", help="The same as --format json."),
 ) -> None:
@@ -28,9 +34,17 @@ def score(
         from vitrail.study.compare.score import score as score_images
 
         loaded = read_scene(scene)
-        files = {"candidate": candidate, "reference": reference}
+        files = {"candidate": candidate} | ({"reference": reference} if reference else {})
         command = ("vitrail", *sys.argv[1:])
-        results = score_images(loaded, files, out, references=references, command=command)
+        results = score_images(
+            loaded,
+            files,
+            out,
+            references=references,
+            conformance=conformance,
+            needs_proof=not unproven,
+            command=command,
+        )
         page = build_report(out)
         print_in(Format.JSON if as_json else form, results, page, [loaded])
     raise typer.Exit(results.exit_code)

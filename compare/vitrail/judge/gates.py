@@ -7,6 +7,7 @@ nothing is measured until every gate is passed. Gates report all that is wrong, 
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
@@ -114,6 +115,29 @@ def _same_settings(first: Inspected, second: Inspected) -> Gate:
     ]
     message = f"{first.side} and {second.side}: " + ("; ".join(unlike) if unlike else "same settings")
     return Gate(gate="settings", passed=not unlike, message=message)
+
+
+def gate_same_exposure(first: Inspected, second: Inspected) -> Gate:
+    """One picture that is a multiple of another at every pixel is exposed, or in another unit: no phenomenon does that.
+
+    For images whose makers say nothing of exposure. A factor within 10 % of 1 may be a finding, so it is measured.
+    """
+    factor = _uniform_factor(first, second)
+    good = factor is None or abs(factor - 1) < 0.1
+    text = f"is {factor or 1:.4g} times {second.file} at every pixel ({math.log2(factor or 1):+.2f} stops)"
+    return _gate("exposure", first, good, f"{text}; write both as radiance, without exposure, in one unit")
+
+
+def _uniform_factor(first: Inspected, second: Inspected) -> float | None:
+    """The factor between two pictures where it is the same to 0.1 % wherever there is light; else None."""
+    if first.radiance is None or second.radiance is None or first.radiance.shape != second.radiance.shape:
+        return None
+    lit = (second.radiance > 1e-3 * np.max(second.radiance, initial=0.0)) & (first.radiance > 0)
+    if not lit.any() or not (np.isfinite(first.radiance).all() and np.isfinite(second.radiance).all()):
+        return None
+    ratios = first.radiance[lit] / second.radiance[lit]
+    middle = float(np.median(ratios))
+    return middle if np.all(np.abs(ratios - middle) <= 1e-3 * middle) else None
 
 
 def _settings(image: Inspected) -> dict[str, object]:

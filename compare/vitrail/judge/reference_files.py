@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
@@ -14,11 +15,22 @@ class ReferencesError(Exception):
 
 
 def read_yaml(path: Path) -> dict[str, Any]:
-    """The mapping in a file. Raises ReferencesError."""
+    """The mapping in a file; not to be changed, because a text that was read before is not read again.
+
+    Raises ReferencesError.
+    """
     try:
-        found, _, problems = read_text(path.read_text(encoding="utf-8"))
+        text = path.read_text(encoding="utf-8")
     except OSError as error:
         raise ReferencesError(f"{path}: cannot be read ({error.strerror}); restore it") from None
+    return _mapping(path, text)
+
+
+@lru_cache(maxsize=64)
+def _mapping(path: Path, text: str) -> dict[str, Any]:
+    """Every scene of a run asks for the same closed forms, and to read them strictly takes a quarter of a second."""
+    try:
+        found, _, problems = read_text(text)
     except YamlProblem as problem:
         raise ReferencesError(f"{path}:{problem}") from None
     if problems:

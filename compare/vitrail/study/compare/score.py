@@ -4,24 +4,36 @@ from __future__ import annotations
 
 import json
 import shutil
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from itertools import pairwise
 from pathlib import Path
 
 from vitrail.images.exr import ImageLayers, read_image
 from vitrail.judge.comparison import Pair
-from vitrail.judge.gates import check_gates
+from vitrail.judge.gates import check_gates, gate_same_exposure
 from vitrail.judge.observe import NothingToMeasure, observe
 from vitrail.judge.pictures import write_pictures
 from vitrail.judge.records import EngineRun, Results, SceneResult, Status, write_results
 from vitrail.judge.references import read_scene_truth, references_folder
+from vitrail.judge.thresholds import own_references
 from vitrail.judge.whole_image import global_metrics
 from vitrail.plan.analyse import analyse
 from vitrail.scene.load import Loaded
 from vitrail.scene.print import scene_hash
+from vitrail.study.compare.conformance import (
+    behind_gate,
+    conformance_scenes,
+    failure_of,
+    proof_images,
+    why_unproven,
+)
 from vitrail.study.compare.evidence import plan_records
 from vitrail.study.compare.scene_run import SceneRun, ended, inspect
 from vitrail.study.compare.suite import about_run, judge
 
+REMEDY = "render scenes/conformance/*.yaml with it and give --conformance FOLDER, or say --unproven"
+NOTHING_KNOWN = "there is nothing to hold the image against: no closed form is known here; give a REFERENCE.exr"
 PAIRS = (Pair.CANDIDATE_REFERENCE, Pair.CANDIDATE_TRUTH, Pair.REFERENCE_TRUTH)
 
 
@@ -31,19 +43,48 @@ def score(
     out: Path,
     *,
     references: Path | None = None,
+    conformance: Path | None = None,
+    needs_proof: bool = False,
     command: tuple[str, ...] = (),
 ) -> Results:
-    """Judge ``files`` by side and write ``results.json``. Raises ImageError and ReferencesError."""
+    """Judge ``files`` by side and write ``results.json``. Raises ImageError and ReferencesError.
+
+    ``conformance`` is a folder with the renderer's images of the conformance scenes: they are judged first and by
+    themselves, and stand in the results before the scene. With ``needs_proof`` a foreign image without them is refused.
+    """
     images = {side: read_image(path) for side, path in files.items()}
-    run = _measured(loaded, images, files, out, references)
-    results = judge([run], about_run(command))
+    proofs = [] if conformance is None else _proofs(conformance, out)
+    options = ["--conformance", str(conformance)] if conformance else [] if needs_proof else ["--unproven"]
+    run = _measured(loaded, images, files, out, references, options)
+    doubt = why_unproven(loaded, images)
+    if proofs:
+        run = behind_gate(run, failure_of(judge(proofs, about_run(()))))
+    elif doubt and needs_proof:
+        run = behind_gate(run, f"{doubt}; {REMEDY}")
+    elif doubt:
+        run = replace(run, record=run.record.model_copy(update={"warnings": (*run.record.warnings, doubt)}))
+    results = judge([*proofs, run], about_run(command))
     out.mkdir(parents=True, exist_ok=True)
     write_results(results, out / "results.json")
     return results
 
 
+def _proofs(folder: Path, out: Path) -> list[SceneRun]:
+    """The renderer's images of the conformance scenes, each against its closed forms."""
+    paths, runs = proof_images(folder), []
+    for scene in conformance_scenes():
+        files = {"candidate": paths[scene.path.stem]}
+        runs.append(_measured(scene, {"candidate": read_image(files["candidate"])}, files, out, own_references()))
+    return runs
+
+
 def _measured(
-    loaded: Loaded, images: Mapping[str, ImageLayers], files: Mapping[str, Path], out: Path, references: Path | None
+    loaded: Loaded,
+    images: Mapping[str, ImageLayers],
+    files: Mapping[str, Path],
+    out: Path,
+    references: Path | None,
+    options: Sequence[str] = (),
 ) -> SceneRun:
     """Gates first; then pictures, whole-image numbers and observations."""
     scene, name = loaded.scene, loaded.path.stem
@@ -58,11 +99,12 @@ def _measured(
         exposure_stops=scene.image.exposure_stops,
         plan=plan_records(analyse(scene)),
         engines=tuple(_maker(side, image) for side, image in images.items()),
-        reproduce=" ".join(["vitrail score", str(loaded.path), *map(str, files.values()), "--out out"]),
+        reproduce=" ".join(["vitrail score", str(loaded.path), *map(str, files.values()), *options, "--out out"]),
         exit_code=0,
     )
     inspected = [inspect(side, image, str(files[side])) for side, image in images.items()]
     gates = check_gates(record.width, record.height, record.scene_hash, inspected)
+    gates += tuple(gate_same_exposure(*pair) for pair in pairwise(inspected))
     record = record.model_copy(update={"gates": gates})
     failed = [gate.message for gate in gates if not gate.passed]
     if failed:
@@ -77,6 +119,8 @@ def _measured(
         observed = observe(scene, images, PAIRS, truth, max(_gather_radius_m(image) for image in images.values()))
     except NothingToMeasure as nothing:
         return SceneRun(ended(record, Status.SCENE_ERROR, str(nothing)))
+    if not any(each.measured or each.unmeasured for each in observed):
+        return SceneRun(ended(record, Status.SCENE_ERROR, NOTHING_KNOWN))
     whole = global_metrics(Pair.CANDIDATE_REFERENCE, images, scene.image.exposure_stops)
     record = record.model_copy(update={"images": sides, "differences": differences, "global_metrics": whole})
     return SceneRun(record, observed, references=folder)
