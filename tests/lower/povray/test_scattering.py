@@ -51,19 +51,18 @@ def walk_through_a_pane(roughness: float, count: int = 200_000) -> np.ndarray:
 
 @pytest.mark.parametrize("roughness", [0.1, 0.3])
 def test_frosting_blurs_an_edge_as_equation_8_does(roughness: float) -> None:
-    """The width within the certificate's 6 %, the profile within 0.05: 64 samples in 40 rows, and the lobe's shape."""
-    seen = behind_a_pane(str(roughness))
+    """The width within the certificate's 6 %, the profile within 0.03: the lobe's shape is right to 0.01, and the
+    aliases of bumps under a regular grid of samples add as much."""
+    seen = behind_a_pane(str(roughness), samples=256)
     profile = seen.image.radiance[..., 0].mean(axis=0)
     x = np.linspace(-1, 1, 81)[:-1] + 1 / 80
     arrivals = walk_through_a_pane(roughness)
     expected = np.array([(place + arrivals < 0).mean() for place in x])
-    assert profile == pytest.approx(expected, abs=0.05)
+    assert profile == pytest.approx(expected, abs=0.03)
 
     def width(edge: np.ndarray) -> float:
-        steps = -np.diff(edge)
-        middles = (x[1:] + x[:-1]) / 2
-        middle = (steps * middles).sum() / steps.sum()
-        return float(np.sqrt((steps * (middles - middle) ** 2).sum() / steps.sum()))
+        low, high = np.interp([0.1, 0.9], edge[::-1], x[::-1])
+        return float(low - high)
 
     rough = [entry for entry in seen.lowered.certificate.of(Phenomenon.ROUGHNESS) if entry.item == "`frosted`"]
     assert len(rough) == 1 and rough[0].residual == 0.06
@@ -136,3 +135,6 @@ def test_a_card_inside_glass_is_refused_beside_radiosity() -> None:
     materials = "card: {diffuse: 0.5}\nglass: {transmission: 1, ior: 1.5}"
     with pytest.raises(NotTranslatable, match=r"inside glass without the square"):
         lowered(scene(materials, objects, more="transport: {indirect: photons}"))
+    standing = objects.replace("[0, -2, 0]", "[0, -1, 0]").replace("center: [0, 0, 0], u", "center: [0, 4, 0], u")
+    with pytest.raises(NotTranslatable, match=r":6:.* inside glass without the square"):
+        lowered(scene(materials, standing, more="transport: {indirect: photons}"))
