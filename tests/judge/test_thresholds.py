@@ -67,4 +67,5 @@ def test_a_residual_is_worth_what_the_rule_says() -> None:
     assert Rule("relative", 0.01, "r").widening(0.001, ideal=5.0, half_edge_m=2.0) == pytest.approx(0.005)
     assert Rule("of_patch", 0.01, "r").widening(0.001, ideal=0.0, half_edge_m=2.0) == pytest.approx(0.002)
     assert Rule("absolute", 0.5, "r").widening(0.001, ideal=0.0, half_edge_m=2.0) == 0.0
+    assert Rule("of_patch", 0.5, "r", certificate=0.5).widening(0.001, 0.0, 2.0) == pytest.approx(0.001)
     assert Rule("absolute", 0.5, "r", certificate=40.0).widening(0.001, 0.0, 2.0) == pytest.approx(0.04)

@@ -17,9 +17,13 @@ def mutants(
     equal_runs: int = typer.Option(
         0, "--equal-runs", min=0, help="Instead: so many pairs that differ in the seed alone."
     ),
+    limits: bool = typer.Option(False, "--limits", help="Instead: the smallest defects that must be seen, and halves."),
     as_json: bool = typer.Option(False, "--json", help="Print the matrix as JSON."),
 ) -> None:
     """Exit code 1 when a mutant escapes."""
+    if limits:
+        _limits(bench, out, as_json)
+        return
     if equal_runs:
         _equal_runs(bench / "ball_lens.yaml", out, equal_runs, as_json)
         return
@@ -66,6 +70,19 @@ def _equal_runs(scene: Path, out: Path, pairs: int, as_json: bool) -> None:
         )
     if found["failures"] or any(row["p_value"] < 0.01 for row in found["rates"]):
         raise typer.Exit(DEVIATES)
+
+
+def _limits(bench: Path, out: Path, as_json: bool) -> None:
+    """Judge the smallest defects that must be seen; exit code 1 when one is not, or when half of one passes."""
+    with exit_codes():
+        from vitrail.study.mutants.limits import limits_table, measure_limits
+
+        found = measure_limits(bench, out)
+    if as_json:
+        print_json(found)
+    else:
+        typer.echo(limits_table(found), nl=False)
+    raise typer.Exit(0 if found["kept"] else DEVIATES)
 
 
 def _words(entry: dict) -> str:

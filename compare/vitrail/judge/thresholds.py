@@ -27,7 +27,7 @@ class ThresholdError(Exception):
 
 @dataclass(frozen=True)
 class Rule:
-    """How far one metric may be from its ideal. ``certificate`` turns a relative residual into the metric's unit."""
+    """How far one metric may be from its ideal. ``certificate``: what a relative residual of 1 is worth, as ``kind``."""
 
     kind: Kind
     amount: float
@@ -42,9 +42,9 @@ class Rule:
 
     def widening(self, residual: float, ideal: float, half_edge_m: float) -> float:
         """What a relative ``residual`` of the translation is worth in the metric's unit."""
-        if self.certificate is not None:
-            return residual * self.certificate
-        return 0.0 if self.kind == "absolute" else residual * self._size(ideal, half_edge_m)
+        usual = 0.0 if self.kind == "absolute" else 1.0
+        worth = usual if self.certificate is None else self.certificate
+        return residual * worth * self._size(ideal, half_edge_m)
 
     def _size(self, ideal: float, half_edge_m: float) -> float:
         return {"relative": abs(ideal), "of_patch": half_edge_m, "absolute": 1.0}[self.kind]

@@ -63,6 +63,7 @@ def test_a_price_grows_as_the_work_of_each_phase_does() -> None:
     # Half of the time is rays and gathers, the rest photons: eight times both, and four times the photons a gather.
     gathers = engine({"total": 2.0, "photon_pass": 1.0, "camera": 0.25, "gather": 0.75}, photons=1000)
     assert price_s([gathers], 8.0) == pytest.approx(8 + 8 * 4)
+    assert price_s([gathers], 8.0, fixed_samples=True) == pytest.approx(8 + 4)
     assert price_s([engine({"total": 2.0, "camera": 1.5}, photons=None)] * 2, 8.0) == pytest.approx(2 * 16)
 
 

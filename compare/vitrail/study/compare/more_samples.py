@@ -42,23 +42,23 @@ def wanted_factor(scene: SceneResult) -> float | None:
     return max(SAFETY * (min(outside) if outside else max(inside)), LEAST)
 
 
-def price_s(engines: Sequence[EngineRun], factor: float) -> float:
+def price_s(engines: Sequence[EngineRun], factor: float, *, fixed_samples: bool = False) -> float:
     """CPU seconds of one more look with ``factor`` times the samples and photons, from what the last look took.
 
-    Shooting and sorting grow as the photons, a camera ray without photons as the samples; where photons are gathered,
-    each of ``factor`` times the rays also finds more of them.
+    Shooting and sorting grow as the photons, camera rays as the samples unless the scene fixes those; where photons
+    are gathered, each ray also finds more of them.
     """
-    return sum(_engine_price_s(engine, factor) for engine in engines)
+    return sum(_engine_price_s(engine, factor, 1.0 if fixed_samples else factor) for engine in engines)
 
 
-def offer(scene: SceneResult, left_s: float, budget_s: float) -> MoreSamples | None:
+def offer(scene: SceneResult, left_s: float, budget_s: float, *, fixed_samples: bool = False) -> MoreSamples | None:
     """What deciding a scene in doubt costs, and whether the ``left_s`` of its ``budget_s`` pay for it."""
     if scene.verdict is not Verdict.INCONCLUSIVE:
         return None
     factor = wanted_factor(scene)
     if factor is None:
         return MoreSamples(budget_s=budget_s, affordable=False, reason="more samples cannot decide what is in doubt")
-    price = price_s(scene.engines, factor)
+    price = price_s(scene.engines, factor, fixed_samples=fixed_samples)
     reason = (
         f"about {_short(factor)} times the samples would decide, for about {_short(price)} CPU s more;"
         f" {_short(left_s)} of the {_short(budget_s)} CPU s that one scene may cost beyond its first look are left"
@@ -76,13 +76,13 @@ def _can_decide(comparison: Comparison) -> bool:
     return comparison.verdict is Verdict.INCONCLUSIVE and comparison.sample_factor is not None
 
 
-def _engine_price_s(engine: EngineRun, factor: float) -> float:
+def _engine_price_s(engine: EngineRun, factor: float, rays: float) -> float:
     """One engine's share. What is in no phase is taken as growing too: it is mostly reading and writing samples."""
     phases: Mapping[str, float | None] = engine.record.get("cpu_s", {})
     camera = sum(phases.get(name) or 0.0 for name in ("camera", "gather"))
     rest = max((engine.cpu_s or 0.0) - camera, 0.0)
-    growth = factor**GATHER_GROWTH if engine.photons_stored else 1.0
-    return rest * factor + camera * factor * growth
+    found = factor**GATHER_GROWTH if engine.photons_stored else 1.0
+    return rest * factor + camera * rays * found
 
 
 def _short(value: float) -> str:

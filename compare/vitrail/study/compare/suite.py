@@ -49,7 +49,7 @@ def compare(scenes: Sequence[Loaded], request: Request, watch: Watch = lambda *s
         ordered = [runs[name] for name in names if name in runs]
         spent = {"wall_s": round(time.monotonic() - clock, 3), "interrupted": interrupted}
         results = judge(ordered, about.model_copy(update=spent), looks=1 + request.rounds)
-        results = _priced(results, left_s, request)
+        results = _priced(results, dict(zip(names, scenes, strict=True)), left_s, request)
         write_results(results, request.out / "results.json")
         return results
 
@@ -80,13 +80,14 @@ def _check_references(scenes: Sequence[Loaded], request: Request) -> None:
             read_stored(folder, loaded.path.stem, scene_hash(loaded.scene))
 
 
-def _priced(results: Results, left_s: Mapping[str, float], request: Request) -> Results:
+def _priced(results: Results, scenes: Mapping[str, Loaded], left_s: Mapping[str, float], request: Request) -> Results:
     """The results, each scene in doubt with what it would cost to decide it."""
-    scenes = [
-        scene.model_copy(update={"more_samples": offer(scene, max(left_s[scene.name], 0.0), request.budget_s)})
-        for scene in results.scenes
-    ]
-    return results.model_copy(update={"scenes": tuple(scenes)})
+    priced = []
+    for scene in results.scenes:
+        left, is_fixed = max(left_s[scene.name], 0.0), scenes[scene.name].scene.image.samples is not None
+        wish = offer(scene, left, request.budget_s, fixed_samples=is_fixed)
+        priced.append(scene.model_copy(update={"more_samples": wish}))
+    return results.model_copy(update={"scenes": tuple(priced)})
 
 
 def _undecided(results: Results, scenes: Mapping[str, Loaded], request: Request) -> list[tuple[str, Loaded, Request]]:
