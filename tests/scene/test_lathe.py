@@ -1,4 +1,4 @@
-"""The shipped vase is what tools/lathe.py makes, closed, and faces outwards."""
+"""The shipped meshes are what tools/lathe.py makes, closed, and face outwards."""
 
 from __future__ import annotations
 
@@ -11,23 +11,35 @@ import numpy as np
 import pytest
 
 sys.path.insert(0, "tools")
-from lathe import lathe, profile, volume, write_ply  # noqa: E402
+from lathe import (  # noqa: E402
+    GOBLET_INSIDE,
+    GOBLET_OUTSIDE,
+    GOBLET_RIM,
+    WINE_LEVEL_M,
+    lathe,
+    profile,
+    spline,
+    volume,
+    write_ply,
+)
 
-VASE = Path("scenes/paper/vase.ply")
+SHIPPED = ("vase", "goblet", "wine")
 
 
-def test_the_shipped_vase_is_made_by_the_tool() -> None:
+@pytest.mark.parametrize("name", SHIPPED)
+def test_a_shipped_mesh_is_made_by_the_tool(name: str) -> None:
     """Coordinates are written with seven digits; the last may differ between libraries."""
-    made = write_ply(*lathe(profile())).splitlines()
-    shipped = VASE.read_text(encoding="utf-8").splitlines()
+    made = write_ply(*lathe(profile(name)), name).splitlines()
+    shipped = Path(f"scenes/paper/{name}.ply").read_text(encoding="utf-8").splitlines()
     assert len(made) == len(shipped)
     for ours, theirs in zip(made, shipped, strict=True):
         if ours != theirs:
             np.testing.assert_allclose([float(x) for x in ours.split()], [float(x) for x in theirs.split()], atol=2e-8)
 
 
-def test_the_vase_is_closed_and_faces_outwards() -> None:
-    vertices, faces = lathe(profile())
+@pytest.mark.parametrize("name", SHIPPED)
+def test_a_mesh_is_closed_and_faces_outwards(name: str) -> None:
+    vertices, faces = lathe(profile(name))
     edges = Counter((face[k], face[(k + 1) % 3]) for face in faces.tolist() for k in range(3))
     assert set(edges.values()) == {1}
     assert all((b, a) in edges for a, b in edges)
@@ -45,3 +57,15 @@ def test_the_volume_is_that_of_the_turned_profile() -> None:
 def test_the_tool_writes_to_standard_output() -> None:
     done = subprocess.run([sys.executable, "tools/lathe.py"], capture_output=True, text=True, check=True, timeout=60)
     assert done.stdout.startswith("ply\nformat ascii 1.0\n")
+
+
+def test_the_wine_reaches_into_the_wall_and_not_through_it() -> None:
+    """At every height of the wine its radius lies between the inside and the outside of the goblet."""
+    goblet, wine = spline(np.concatenate([GOBLET_OUTSIDE, GOBLET_RIM, GOBLET_INSIDE]), 4000), profile("wine")
+    top = np.argmax(goblet[:, 1])
+    outside, inside = goblet[:top], goblet[top:][::-1]
+    wall = wine[(wine[:, 1] < WINE_LEVEL_M) & (wine[:, 1] > 0.09)]
+    heights = wall[:, 1]
+    assert np.all(wall[:, 0] > np.interp(heights, inside[:, 1], inside[:, 0]) + 2e-4)
+    outer = outside[outside[:, 1] > 0.07]
+    assert np.all(wall[:, 0] < np.interp(heights, outer[:, 1], outer[:, 0]) - 2e-4)
