@@ -136,5 +136,5 @@ def test_a_card_inside_glass_is_refused_beside_radiosity() -> None:
     with pytest.raises(NotTranslatable, match=r"inside glass without the square"):
         lowered(scene(materials, objects, more="transport: {indirect: photons}"))
     standing = objects.replace("[0, -2, 0]", "[0, -1, 0]").replace("center: [0, 0, 0], u", "center: [0, 4, 0], u")
-    with pytest.raises(NotTranslatable, match=r":6:.* inside glass without the square"):
+    with pytest.raises(NotTranslatable, match=r":8:.* inside glass without the square"):
         lowered(scene(materials, standing, more="transport: {indirect: photons}"))

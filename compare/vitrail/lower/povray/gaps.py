@@ -1,12 +1,13 @@
 """Room between surfaces that touch: POV-Ray loses one of two faces nearer than 1e-4 units [P 7].
 
-A glass solid that touches another surface, or comes nearer than ``NEAR``, shrinks about its own middle until the gap
-is ``GAP``. Light then crosses a layer of air, as it does in the scene, where touching faces have nothing between them.
+A glass solid that touches another surface in a point or a line, or comes nearer than ``NEAR``, shrinks about its own
+middle until the gap is ``GAP``. Faces that lie on each other are a matter of ``contact``.
 """
 
 from __future__ import annotations
 
 import math
+from collections.abc import Collection
 from dataclasses import dataclass
 from typing import assert_never
 
@@ -41,13 +42,17 @@ class Placement:
     shrunk: tuple[Shrunk, ...]
 
 
-def with_gaps(scene: Scene, units: Normalisation) -> Placement:
-    """Shrink every transmissive solid that touches something else."""
+def with_gaps(scene: Scene, units: Normalisation, contacts: Collection[tuple[int, int]] = ()) -> Placement:
+    """Shrink every transmissive solid that touches something else, but for ``contacts``, which reach inside."""
     found: list[Placed] = []
     shrunk: list[Shrunk] = []
     for index, item in enumerate(scene.objects):
         placed = place(item)
-        others = [other for position, other in enumerate(scene.objects) if position != index and apart(item, other)]
+        others = [
+            other
+            for position, other in enumerate(scene.objects)
+            if position != index and (index, position) not in contacts and apart(item, other)
+        ]
         if scene.material_of(item).is_transmissive and _touches_any(item, others, NEAR / units.scale):
             depth = GAP / units.scale
             inner = smaller(placed, depth)

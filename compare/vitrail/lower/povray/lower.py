@@ -13,6 +13,7 @@ from pathlib import Path
 
 from vitrail.lower.povray.camera import HALF_SHIFTS
 from vitrail.lower.povray.certificate import Certificate
+from vitrail.lower.povray.contact import with_contacts
 from vitrail.lower.povray.depth import trace_depth
 from vitrail.lower.povray.emitters import Grid
 from vitrail.lower.povray.exposure import Triplet
@@ -93,6 +94,8 @@ def lower_povray(scene: Scene, plan: Plan, settings: Settings, loaded: Loaded | 
     meshes = meshes_of(scene, loaded.path.parent if loaded else Path(), refusals)
     radius = settings.gather_radius_m if plan.requires(Phenomenon.CAUSTIC) else 0.0
     units = normalise(scene, [mesh.bounds for mesh in meshes.values()], refusals, radius)
+    joined = with_contacts(scene, units)
+    scene = joined.scene
     mode = mode_of(scene, plan, settings)
     indices = Indices(scene, mode.bands, mode.is_sliced)
     grid = Grid(EMITTERS[settings.quality], settings.seed)
@@ -101,9 +104,9 @@ def lower_povray(scene: Scene, plan: Plan, settings: Settings, loaded: Loaded | 
         "b": sources(scene, units, replace(grid, is_mirrored=True), refusals),
     }
     photons = photon_pass(scene, plan, settings, lights["a"], len(mode.bands), meshes, units, refusals)
-    depth, placement = trace_depth(plan, settings.quality), with_gaps(scene, units)
-    nesting = nesting_of(scene, units)
-    objects = ObjectText(scene, plan, units, photons is not None, indices, meshes, nesting)
+    depth, placement = trace_depth(plan, settings.quality), with_gaps(scene, units, joined.contacts)
+    nesting = nesting_of(scene, units, joined.pairs)
+    objects = ObjectText(scene, plan, units, photons is not None, indices, meshes, nesting, joined.under)
     text = SceneText(scene, plan, units, lights, photons, depth, placement, objects, settings.quality)
     translation = Translation(
         scene=scene,
@@ -114,6 +117,7 @@ def lower_povray(scene: Scene, plan: Plan, settings: Settings, loaded: Loaded | 
         photons=photons,
         depth=depth,
         shrunk=placement.shrunk,
+        grown=joined.grown,
         indices=indices,
         nesting=nesting,
         quality=settings.quality,

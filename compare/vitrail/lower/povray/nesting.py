@@ -27,11 +27,15 @@ HAIR = 4e-4
 
 @dataclass(frozen=True)
 class Cut:
-    """A higher solid taken out of a lower one: its index, and its shape, smaller by a hair unless it is air."""
+    """A higher solid taken out of a lower one: its index, and its shape, smaller by a hair unless it is air.
+
+    Where the two only touch, the scene has two faces in one place, and both take their share.
+    """
 
     by: int
     placed: Placed
     is_air: bool
+    is_contact: bool
 
 
 @dataclass(frozen=True)
@@ -43,12 +47,12 @@ class Nesting:
     omitted: frozenset[int]
 
 
-def nesting_of(scene: Scene, units: Normalisation) -> Nesting:
-    """Who is cut by whom."""
+def nesting_of(scene: Scene, units: Normalisation, contacts: frozenset[tuple[int, int]] = frozenset()) -> Nesting:
+    """Who is cut by whom; ``contacts`` are lower and higher solids that overlap in POV-Ray only."""
     air = frozenset(index for index, item in enumerate(scene.objects) if _is_air(scene, item))
     cuts = tuple(
         tuple(
-            _cut(by, higher, by in air, units)
+            _cut(by, higher, by in air, (index, by) in contacts, units)
             for by, higher in enumerate(scene.objects)
             if by != index and _displaces(scene, higher, lower)
         )
@@ -65,10 +69,10 @@ def nesting_of(scene: Scene, units: Normalisation) -> Nesting:
     return Nesting(cuts, hosts, air)
 
 
-def _cut(by: int, higher: Object, is_air: bool, units: Normalisation) -> Cut:
+def _cut(by: int, higher: Object, is_air: bool, is_contact: bool, units: Normalisation) -> Cut:
     placed = place(higher)
     inner = None if is_air else smaller(placed, HAIR / units.scale)
-    return Cut(by, inner or placed, is_air)
+    return Cut(by, inner or placed, is_air, is_contact)
 
 
 def _displaces(scene: Scene, higher: Object, lower: Object) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from vitrail.lower.povray.exposure import Exposure, Triplet
@@ -14,7 +15,7 @@ from vitrail.lower.povray.normalise import Normalisation
 from vitrail.lower.povray.roughness import Bumps, bumps_of
 from vitrail.lower.povray.sdl import block, rgb
 from vitrail.lower.povray.shapes import Primitive, primitive
-from vitrail.lower.povray.surface import Surface
+from vitrail.lower.povray.surface import Surface, specular_pool
 from vitrail.optics.dispersion import reference_ior
 from vitrail.plan.plan import Plan
 from vitrail.scene.absorption import absorption_per_m
@@ -28,7 +29,10 @@ CLEAR = "texture { pigment { rgb 1 filter 1 } }"
 
 @dataclass(frozen=True)
 class ObjectText:
-    """What turns the objects of one scene into text; ``has_photons`` makes specular ones the targets of photons."""
+    """What turns the objects of one scene into text; ``has_photons`` makes specular ones the targets of photons.
+
+    ``under`` names the glasses that lie on a body that is none.
+    """
 
     scene: Scene
     plan: Plan
@@ -37,6 +41,7 @@ class ObjectText:
     indices: Indices
     meshes: Meshes
     nesting: Nesting
+    under: Mapping[int, tuple[int, ...]]
 
     def sdl(self, index: int, placed: Placed, exposure: Exposure, is_shooting: bool) -> str:
         """The object in one run; ``placed`` is its shape, where a gap has been opened already."""
@@ -61,8 +66,15 @@ class ObjectText:
         higher = self.scene.material_of(self.scene.objects[cut.by])
         look = self._texture(higher, cut.placed, exposure)
         # Say both sides: a part without a look of its own for its inside takes that of the whole.
-        hidden = look if cut.is_air else CLEAR
+        hidden = look if cut.is_air else self._second_face(lower, cut.is_contact, exposure)
         return block(inner.keyword, [*inner.parts, look, f"interior_{hidden}"])
+
+    def _second_face(self, lower: Material, is_contact: bool, exposure: Exposure) -> str:
+        """The face at equal index that is crossed second: nothing, or what the lower solid's own face keeps."""
+        if not is_contact:
+            return CLEAR
+        kept = specular_pool(lower, exposure) if lower.fresnel else exposure.share(lower.transmission)
+        return f"texture {{ pigment {{ {rgb(kept)} filter 1 }} }}"
 
     def _without(self, host: int, index: int) -> str:
         """The room of a lower solid without those that other solids take from it."""
@@ -91,11 +103,18 @@ class ObjectText:
         bumps = [bumps_of(material, ior, from_inside=side) if material.is_specular else None for side in (False, True)]
         outer = self._texture(material, placed, exposure, bumps[0], around)
         if not material.is_transmissive:
+            for glass in self.under.get(index, ()):
+                # Where glass lies on this face, its radiance is seen from inside the glass.
+                within = seen_from_outside(self.scene, self._index_of(self.scene.objects[glass]))
+                covered = self._texture(material, placed, exposure, bumps[0], within)
+                outer = block("texture", [block("object", [self._without(glass, index), outer, covered])])
             return [outer]
         hidden = inner = self._texture(material, placed, exposure, bumps[1], seen_from_outside(self.scene, ior))
         for host in self.nesting.hosts[index]:
             # Where the lower solid lies outside, light has left this one already when it meets this face.
-            hidden = block("texture", [block("object", [self._without(host, index), inner, CLEAR])])
+            is_contact = any(cut.by == index and cut.is_contact for cut in self.nesting.cuts[host])
+            left = self._second_face(self.scene.material_of(self.scene.objects[host]), is_contact, exposure)
+            hidden = block("texture", [block("object", [self._without(host, index), inner, left])])
             inner = hidden
         return [outer] if hidden == outer else [outer, f"interior_{hidden}"]
 

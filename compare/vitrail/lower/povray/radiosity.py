@@ -11,6 +11,7 @@ import math
 from collections.abc import Iterator
 
 from vitrail.lower.povray.certificate import RELATIVE, Entry
+from vitrail.lower.povray.contact import touching
 from vitrail.lower.povray.immersion import index_around
 from vitrail.lower.povray.refusal import Refusals
 from vitrail.lower.povray.sdl import block, number
@@ -66,10 +67,13 @@ def radiosity_refusals(scene: Scene, refusals: Refusals) -> Iterator[Diagnostic]
         if light.environment is not None:
             what = "POV-Ray's radiosity would count the environment twice"
             yield refusals.at(what, "use other lights, or `indirect: {ambient: ...}`", "lights", index, "environment")
+    covered = {other for _, other in touching(scene)}
     for index, item in enumerate(scene.objects):
-        if scene.material_of(item).is_diffuse and index_around(scene, item) != 1:
+        if scene.material_of(item).is_diffuse and (index in covered or index_around(scene, item) != 1):
             what = "POV-Ray's radiosity would see this surface inside glass without the square of the index"
-            yield refusals.at(what, "take it out of the glass, or use `indirect: {ambient: ...}`", "objects", index)
+            yield refusals.at(
+                what, "leave a millimetre between it and the glass, or use `indirect: {ambient: ...}`", "objects", index
+            )
 
 
 def radiosity_entries(scene: Scene, quality: Quality) -> Iterator[Entry]:

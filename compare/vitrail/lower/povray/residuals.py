@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from vitrail.lower.povray.certificate import RELATIVE, Certificate, Entry, with_names
+from vitrail.lower.povray.contact import REACH, Grown
 from vitrail.lower.povray.depth import LIMIT, TraceDepth
 from vitrail.lower.povray.gaps import GAP, Shrunk
 from vitrail.lower.povray.indices import Indices
@@ -39,6 +40,7 @@ class Translation:
     photons: PhotonPass | None
     depth: TraceDepth
     shrunk: tuple[Shrunk, ...]
+    grown: tuple[Grown, ...]
     indices: Indices
     nesting: Nesting
     quality: Quality
@@ -51,6 +53,7 @@ def certificate_of(translation: Translation) -> Certificate:
             *_output(translation),
             *_position(translation),
             *_gaps(translation),
+            *_contacts(translation),
             *_cuts(translation),
             *_falloff(translation),
             *_depth(translation),
@@ -99,6 +102,19 @@ def _gaps(translation: Translation) -> Iterator[Entry]:
             shrunk.share,
             RELATIVE,
             f"POV-Ray loses one of two faces nearer than 1e-4 units; the solid shrinks by {GAP:g} units",
+        )
+
+
+def _contacts(translation: Translation) -> Iterator[Entry]:
+    for grown in translation.grown:
+        yield Entry(
+            Phenomenon.REFRACTION,
+            f"O{grown.index + 1}",
+            "a face that lies on another body",
+            f"a solid larger by {grown.depth_m:.3g} m, which reaches into the other",
+            grown.share,
+            RELATIVE,
+            f"POV-Ray loses one of two faces nearer than 1e-4 units; the solid grows by {REACH:g} units",
         )
 
 
