@@ -24,6 +24,7 @@ VERBS = {
     "tradeoff": "Measure speed against accuracy over the knobs of both engines.",
     "extremes": "Find out how far each invariant holds in both engines.",
     "mutants": "Inject known defects and show which of them the verdicts catch.",
+    "agreement": "Make one table of what the engines agree on, and how far, from finished comparisons.",
     "report": "Write the report of a finished comparison again.",
     "bless": "Accept images as the reference of a scene, with a reason.",
     "doctor": "Say what is installed, what is missing, and what to do.",
