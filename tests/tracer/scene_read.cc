@@ -42,7 +42,7 @@ const std::string kScene = R"({
     {"name": "sky", "kind": "environment", "radiance": [1, 1, 1]}],
   "transport": {"indirect": {"ambient": [0.1, 0.1, 0.1]}, "max_reflections": 8, "max_transmissions": 64},
   "paper": {"tir": "drop", "refraction": "corrected", "literal_sum": false, "dispersion": "span",
-            "dispersion_reference": "middle", "disperse_camera": false, "rough_samples": 2},
+            "dispersion_reference": "middle", "disperse_camera": false, "rough_samples": 2, "count_transmission": true, "shadow": "filter"},
   "plan": {"diffusion": true, "reflection": true, "refraction": true, "total_internal_reflection": true,
            "coloured_transmission": true, "absorption": false, "caustic": true, "roughness": false,
            "dispersion": false, "shadow": true, "indirect_light": false},
@@ -88,6 +88,8 @@ TEST(ReadScene, BringsEveryPartThrough) {
   EXPECT_EQ(std::get<DiscShape>(std::get<AreaLight>(scene.lights[1].emitter).shape).radius, 0.5);
   EXPECT_EQ(scene.transport.indirect, Indirect::ambient);
   EXPECT_TRUE(scene.paper.tir_drop);
+  EXPECT_TRUE(scene.paper.count_transmission);
+  EXPECT_TRUE(scene.paper.shadow_filter);
   EXPECT_TRUE(scene.paper.dispersion_span);
   EXPECT_EQ(scene.paper.dispersion_reference, Paper::DispersionReference::middle);
   EXPECT_FALSE(scene.plan.absorption);

@@ -11,7 +11,9 @@ namespace vitrail {
 
 namespace {
 
-constexpr std::uint64_t kLongestList = 32;
+/// Where the two searches take the same time (benchmark `closest_hit`, spheres, the cheapest to ask): the list answers
+/// 1.3 times as many rays at 4 primitives, the tree 1.3 times as many at 16 and twice as many at 32.
+constexpr std::uint64_t kLongestList = 8;
 constexpr double kUnit = 0x1p-53;  // the rounding of one operation
 
 /// The distance by which rounding may move a hit: a few operations on the coordinates it is computed from.

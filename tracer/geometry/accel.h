@@ -12,7 +12,7 @@
 
 namespace vitrail {
 
-/// Which search is used; `automatic` takes the plain list for at most 32 primitives. Both give identical hits.
+/// Which search is used; `automatic` takes the plain list for at most 8 primitives. Both give identical hits.
 enum class Search { automatic, list, embree };
 
 /// Every decision in double: the same hit for either search, any order of objects, and any scale 2^k.

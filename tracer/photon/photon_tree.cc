@@ -100,8 +100,7 @@ void PhotonTree::send(const Flight& from, const Arrival& arrival, const Branch& 
   next.flux = flux;
   next.reflections += reflections;
   next.transmissions += transmissions;
-  if (next.reflections > scene_.transport.max_reflections || next.transmissions > scene_.transport.max_transmissions ||
-      !(largest_channel(flux) >= from.least)) {
+  if (!scene_.within_depth(next.reflections, next.transmissions) || !(largest_channel(flux) >= from.least)) {
     block_.ledger.truncated += flux;
     return;
   }

@@ -180,8 +180,7 @@ void PhotonWave::send(const Group& group, const std::array<BendLanes::Column, 3>
     const double largest = largest_channel(share);
     const PhotonState& state = now_.state(group.lane[i]);
     const bool goes_on = largest >= least[group.lane[i]] &&
-                         state.reflections + !passes <= scene_.transport.max_reflections &&
-                         state.transmissions + passes <= scene_.transport.max_transmissions;
+                         scene_.within_depth(state.reflections + !passes, state.transmissions + passes);
     kept[count] = static_cast<std::uint16_t>(i);
     count += goes_on && largest > 0;
     if (!goes_on) block_.ledger.truncated += share;

@@ -55,12 +55,12 @@ WayOn step(const Scene& scene, const Arrival& arrival, const StepSample& sample,
   };
   if (u < reflects) {
     take(event.reflect, reflects);
-    return ++walk.reflections <= scene.transport.max_reflections ? WayOn::reflect : WayOn::none;
+    return scene.within_depth(++walk.reflections, walk.transmissions) ? WayOn::reflect : WayOn::none;
   }
   u -= reflects;
   if (u < transmits) {
     take(event.transmit, transmits);
-    return ++walk.transmissions <= scene.transport.max_transmissions ? WayOn::transmit : WayOn::none;
+    return scene.within_depth(walk.reflections, ++walk.transmissions) ? WayOn::transmit : WayOn::none;
   }
   u -= transmits;
   if (u >= scatters) return WayOn::none;

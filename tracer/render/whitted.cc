@@ -137,8 +137,7 @@ void CameraTracer::meet(const Look& look, const Arrival& arrival, const Interact
 void CameraTracer::send(const Look& look, const Arrival& arrival, const Branch& branch, Rgb throughput, Layer layer,
                         int reflections, int transmissions) {
   if (!(largest_channel(throughput) >= kLeastCameraShare)) return;
-  if (look.reflections + reflections > scene_.transport.max_reflections) return;
-  if (look.transmissions + transmissions > scene_.transport.max_transmissions) return;
+  if (!scene_.within_depth(look.reflections + reflections, look.transmissions + transmissions)) return;
   pending_.push_back({{arrival.hit.point, branch.direction},
                       branch.departures,
                       branch.media,

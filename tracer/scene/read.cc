@@ -67,7 +67,8 @@ Transport read_transport(const JsonValue& value) {
 Paper read_paper(const JsonValue& value) {
   Paper paper;
   value.object(
-      {"tir", "refraction", "literal_sum", "dispersion", "dispersion_reference", "disperse_camera", "rough_samples"});
+      {"tir", "refraction", "literal_sum", "dispersion", "dispersion_reference", "disperse_camera", "rough_samples"},
+      {"count_transmission", "shadow"});
   paper.tir_drop = value.at("tir").word({"reflect", "drop"}) == 1;
   paper.refraction_literal = value.at("refraction").word({"corrected", "literal"}) == 1;
   paper.literal_sum = value.at("literal_sum").boolean();
@@ -76,6 +77,8 @@ Paper read_paper(const JsonValue& value) {
       static_cast<Paper::DispersionReference>(value.at("dispersion_reference").word({"red", "d_line", "middle"}));
   paper.disperse_camera = value.at("disperse_camera").boolean();
   paper.rough_samples = static_cast<int>(value.at("rough_samples").integer(1, 1000000));
+  paper.count_transmission = value.has("count_transmission") && value.at("count_transmission").boolean();
+  paper.shadow_filter = value.has("shadow") && value.at("shadow").word({"opaque", "filter"}) == 1;
   return paper;
 }
 

@@ -194,6 +194,8 @@ struct Paper {
   enum class DispersionReference { red, d_line, middle } dispersion_reference = DispersionReference::red;
   bool disperse_camera = true;
   int rough_samples = 1;
+  bool count_transmission = false;  // crossings and mirrorings count together, up to max_reflections
+  bool shadow_filter = false;       // "shadow": "filter" instead of "opaque"
 };
 
 /// Which phenomena are rendered.
@@ -230,6 +232,12 @@ struct Scene {
   Vec3 shift;
 
   const Material& material_of(std::uint32_t object) const { return materials[objects[object].material]; }
+
+  /// Whether light may go on after so many mirrorings and crossings.
+  bool within_depth(int reflections, int transmissions) const {
+    if (paper.count_transmission) return reflections + transmissions <= transport.max_reflections;
+    return reflections <= transport.max_reflections && transmissions <= transport.max_transmissions;
+  }
 };
 
 }  // namespace vitrail

@@ -14,12 +14,14 @@ def longest_chain(scene: Scene) -> Chain:
     """The longest specular chain of a scene, never above what ``transport`` allows.
 
     A few cases have a proof; every other keeps the limits of the scene, and says so. The literal readings of the paper
-    bend light in ways that the proofs do not cover, and interreflection starts new chains anywhere.
+    bend light in ways that the proofs do not cover or count it otherwise, and interreflection starts new chains
+    anywhere.
     """
     specular = [item for item in scene.objects if scene.material_of(item).is_specular]
     if not specular:
         return _chain(scene, 0, 0, "nothing mirrors or refracts")
-    if scene.paper.refraction == "corrected" and scene.transport.indirect != "photons":
+    by_the_letter = scene.paper.refraction != "corrected" or scene.paper.count_transmission
+    if not by_the_letter and scene.transport.indirect != "photons":
         if len(specular) == 1 and _mirrors_once(scene, specular[0]):
             return _chain(scene, 1, 0, f"`{specular[0].name}` is the only mirror and never mirrors itself")
         if len(specular) == 1 and _is_crossed_once(scene, specular[0]):

@@ -560,6 +560,8 @@ class Paper(Part):
     dispersion_reference: Literal["red", "d_line", "middle"] = "red"
     disperse_camera: Annotated[bool, Field(strict=True)] = True
     rough_samples: Annotated[int, Field(ge=1, le=256, strict=True)] = 1
+    count_transmission: Annotated[bool, Field(strict=True)] = False
+    shadow: Literal["opaque", "filter"] = "opaque"
 
 
 class Patch(Part):

@@ -31,6 +31,8 @@ def _literal_readings(scene: Scene, plan: Plan, refusals: Refusals) -> Iterator[
         ("refraction", paper.refraction != "corrected" and has_glass),
         ("tir", paper.tir != "reflect" and plan.requires(Phenomenon.TOTAL_INTERNAL_REFLECTION)),
         ("literal_sum", paper.literal_sum and plan.requires(Phenomenon.ROUGHNESS)),
+        ("count_transmission", paper.count_transmission and has_glass),
+        ("shadow", paper.shadow != "opaque" and has_glass and plan.requires(Phenomenon.SHADOW)),
     )
     for key, is_refused in readings:
         if is_refused:
