@@ -13,7 +13,7 @@ import jinja2
 from vitrail.images.exr import read_image
 from vitrail.images.false_colour import COLD, HEAT, HOT, NEUTRAL
 from vitrail.judge.records import SceneResult, read_results
-from vitrail.report import figures, page
+from vitrail.report import figures, page, paper_figures
 from vitrail.report.tiles import write_tiles
 
 HERE = Path(__file__).parent
@@ -44,10 +44,16 @@ def build_report(folder: Path) -> Path:
     shutil.copytree(HERE / "static", folder / "report", dirs_exist_ok=True)
     environment = _environment()
     ordered = page.worst_first(results.scenes)
+    plates = paper_figures.plates_of(results)
     index = environment.get_template("index.html").render(
-        results=results, scenes=ordered, phenomena=page.run_phenomena(results), root=""
+        results=results, scenes=ordered, phenomena=page.run_phenomena(results), has_figures=bool(plates), root=""
     )
     (folder / "index.html").write_text(index, encoding="utf-8")
+    # A folder that is used again must not keep the page of an older run.
+    (folder / "figures.html").unlink(missing_ok=True)
+    if plates:
+        text = environment.get_template("figures.html").render(results=results, plates=plates, root="")
+        (folder / "figures.html").write_text(text, encoding="utf-8")
     template = environment.get_template("scene.html")
     for place, scene in enumerate(ordered):
         (folder / scene.name).mkdir(exist_ok=True)
@@ -118,6 +124,7 @@ def _environment() -> jinja2.Environment:
         "phenomena": page.scene_phenomena,
         "by_pair": page.by_pair,
         "headline": page.headline,
+        "agreement": paper_figures.agreement,
         "flat": page.flat,
         "setting": page.setting,
         "cpu": page.cpu,

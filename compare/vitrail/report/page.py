@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -145,8 +145,13 @@ def headline(scene: SceneResult) -> list[tuple[ObservationResult, Comparison, in
             continue
         same = [entry for entry in observation.comparisons if entry.verdict is observation.verdict]
         if same:
-            found.append((observation, max(same, key=_distance), len(same) - 1))
+            found.append((observation, furthest_off(same), len(same) - 1))
     return found
+
+
+def furthest_off(comparisons: Sequence[Comparison]) -> Comparison:
+    """Of several numbers the one whose difference is most tolerances from its ideal."""
+    return max(comparisons, key=_distance)
 
 
 def _distance(comparison: Comparison) -> float:

@@ -53,6 +53,7 @@
     d: () => toggle("verdict", "deviates"),
     i: () => toggle("verdict", "inconclusive"),
     a: () => toggle("verdict", "agrees"),
+    p: () => document.querySelector(".also a")?.click(),
     "/": () => find.focus(),
     Escape: showAll,
   });
