@@ -69,6 +69,27 @@ def test_frosting_blurs_an_edge_as_equation_8_does(roughness: float) -> None:
     assert width(profile) == pytest.approx(width(expected), rel=0.06)
 
 
+def test_the_blurs_of_several_materials_are_off_by_no_more_than_the_worst_of_them() -> None:
+    materials = """
+    silk: {transmission: 1, ior: 1.5, roughness: 0.1}
+    milk: {transmission: 1, ior: 1.5, roughness: 0.5}
+    bright: {emission: 1}
+    """
+    objects = """
+    - {name: first, box: {min: [-2, -2, 0], max: [2, 2, 0.1]}, material: silk}
+    - {name: second, box: {min: [-2, -2, 0.2], max: [2, 2, 0.3]}, material: milk}
+    - {name: wall, rectangle: {center: [-3, 0, -1], u: [3, 0, 0], v: [0, 3, 0]}, material: bright}
+    """
+    camera = "camera: {kind: orthographic, position: [0, 0, 3], look_at: [0, 0, 0], height: 1}"
+    certificate = lowered(scene(materials, objects, lights="", camera=camera)).certificate
+    first, second = (
+        next(e for e in certificate.of(Phenomenon.ROUGHNESS) if e.item == item) for item in ("`silk`", "`milk`")
+    )
+    image = next(e for e in certificate.of(Phenomenon.ROUGHNESS) if e.item == "image")
+    assert first.residual == 0.06 and second.residual == pytest.approx(0.08)
+    assert certificate.bound(Phenomenon.ROUGHNESS) == pytest.approx(image.residual + 0.08)
+
+
 def test_ggx_amplitudes_have_the_quantiles_of_its_slopes() -> None:
     """P(tan theta > x) = alpha^2 / (alpha^2 + x^2): a mixture of Rayleigh lobes of these mean squares."""
     glass = Material(transmission=1, ior=1.5, roughness=Ggx(ggx=0.2))

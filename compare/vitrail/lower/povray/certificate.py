@@ -1,7 +1,8 @@
 """What the translation to POV-Ray changes, and by how much: a list of laws, each with its residual.
 
 A residual is relative to the phenomenon's own size unless its unit says otherwise. ``bound`` adds up what may act
-together on one phenomenon; the judge takes no smaller deviation between the engines for a disagreement.
+together on one phenomenon; the judge takes no smaller deviation between the engines for a disagreement. Blurs of
+several materials do not add up: squares of widths do, so the whole is off by no more than the worst of them.
 """
 
 from __future__ import annotations
@@ -39,7 +40,13 @@ class Certificate:
 
     def bound(self, phenomenon: Phenomenon) -> float:
         """The sum of the relative residuals that act on a phenomenon; other units are not added."""
-        return sum(each.residual for each in self.entries if each.phenomenon is phenomenon and each.unit == RELATIVE)
+        acting = [each for each in self.entries if each.phenomenon is phenomenon and each.unit == RELATIVE]
+        if phenomenon is not Phenomenon.ROUGHNESS:
+            return sum(each.residual for each in acting)
+        worst: dict[str, float] = {}
+        for each in acting:
+            worst[each.target_law] = max(each.residual, worst.get(each.target_law, 0.0))
+        return sum(worst.values())
 
     def of(self, phenomenon: Phenomenon) -> tuple[Entry, ...]:
         return tuple(each for each in self.entries if each.phenomenon is phenomenon)
