@@ -69,6 +69,14 @@ def test_frosting_blurs_an_edge_as_equation_8_does(roughness: float) -> None:
     assert width(profile) == pytest.approx(width(expected), rel=0.06)
 
 
+def test_half_images_differ_by_the_noise_of_the_bumps() -> None:
+    """Means of 64 samples in the blurred edge: half a step at most over the root of 64, twice for the difference."""
+    seen = behind_a_pane("0.3").image
+    apart = np.abs(seen.half_a - seen.half_b)[..., 0]
+    assert 0.01 < apart[:, 35:45].mean() < 2 * 0.5 / 8
+    assert apart[:, :8].mean() < 0.005
+
+
 def test_the_blurs_of_several_materials_are_off_by_no_more_than_the_worst_of_them() -> None:
     materials = """
     silk: {transmission: 1, ior: 1.5, roughness: 0.1}

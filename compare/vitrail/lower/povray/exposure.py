@@ -18,7 +18,7 @@ class Exposure:
     """``channel`` None shows all three; ``light_factor`` multiplies every radiance of the run's image.
 
     A run of one channel stands for all of ``stands_for``, which the scene treats alike. A run of one ``band`` counts
-    by the band's ``weight``.
+    by the band's ``weight``. ``half`` says which of the two half images the run belongs to.
     """
 
     channel: int | None = None
@@ -26,6 +26,7 @@ class Exposure:
     stands_for: tuple[int, ...] = (0, 1, 2)
     band: int | None = None
     weight: Triplet = (1.0, 1.0, 1.0)
+    half: str = "a"
 
     @property
     def name(self) -> str:

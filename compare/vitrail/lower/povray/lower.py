@@ -142,7 +142,8 @@ def _runs(text: SceneText, mode: Mode, settings: Settings) -> Iterator[PovrayRun
     image = text.scene.image
     for half in HALF_SHIFTS:
         for shown in mode.exposures:
-            exposure = replace(shown, light_factor=light_factor(text.scene, text.lights[half], text.photons, shown))
+            factor = light_factor(text.scene, text.lights[half], text.photons, shown)
+            exposure = replace(shown, light_factor=factor, half=half)
             shoots = text.photons is not None and text.has_light(half, exposure)
             yield PovrayRun(
                 name="_".join(part for part in (half, exposure.name) if part),

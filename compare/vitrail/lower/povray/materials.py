@@ -134,7 +134,7 @@ def _texture(pigment: str, *others: str) -> str:
 
 def _normal(surface: Surface) -> str:
     """The bumps of a rough face, on its mirroring and refracting texture only."""
-    return surface.bumps.sdl(surface.normalisation.extent) if surface.bumps is not None else ""
+    return surface.bumps.sdl(surface.normalisation.extent, surface.exposure.half) if surface.bumps is not None else ""
 
 
 def _finish(*parts: str) -> str:

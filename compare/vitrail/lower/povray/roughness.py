@@ -33,6 +33,8 @@ LEVELS = 16
 CELL_SHARE = 1.23e-4
 BUMP_SIZE = 0.31
 """Share of the scene's extent, and of a cell: far below a pixel, and no multiple of anything on the grid."""
+HALF_SHIFT = {"a": 0.0, "b": 0.0713}
+"""Share of the extent by which a half image moves its cells in x, y and z: hundreds of them, and no whole number."""
 
 
 @dataclass(frozen=True)
@@ -46,13 +48,18 @@ class Bumps:
         """Median over the mixture of the tilt's root mean square, radians; a mean would not exist for GGX."""
         return TILT_PER_AMPLITUDE * sorted(self.amplitudes)[LEVELS // 2]
 
-    def sdl(self, extent: float) -> str:
-        """A ``normal`` block whose map has a step for each amplitude, in a scene of ``extent`` units."""
+    def sdl(self, extent: float, half: str) -> str:
+        """A ``normal`` block whose map has a step for each amplitude, in a scene of ``extent`` units.
+
+        The half images have other cells and other bumps, so that their difference is the noise of the pattern, too.
+        """
+        cell = number(CELL_SHARE * extent)
+        moved = f" translate {number(HALF_SHIFT[half] * extent)}"
         steps = []
         for level, amplitude in enumerate(self.amplitudes):
             entry = f"bumps {number(amplitude)} scale {number(BUMP_SIZE)}"
             steps += [f"[{number(level / LEVELS)} {entry}]", f"[{number((level + 1) / LEVELS)} {entry}]"]
-        return f"normal {{ cells normal_map {{ {' '.join(steps)} }} scale {number(CELL_SHARE * extent)} }}"
+        return f"normal {{ cells normal_map {{ {' '.join(steps)} }} scale {cell}{moved} }}"
 
 
 def bumps_of(material: Material, index: float, *, from_inside: bool) -> Bumps | None:
