@@ -115,6 +115,12 @@ def test_what_is_legal_but_probably_not_meant(case: str) -> None:
     assert any(expected in each for each in found), found
 
 
+def test_a_patch_of_less_than_a_pixel_is_refused() -> None:
+    text = changed(("center: [0.4, 0, 0.2], u: [0.", "center: [0.4, 0, 0.2], u: [0.0000"))
+    (error,) = check_text(text).errors
+    assert "pixels wide in the picture, which leaves nothing to measure" in error.what
+
+
 def test_a_patch_behind_an_opaque_object_is_reported() -> None:
     text = changed(("material: air, priority: 1", "material: table"), ("center: [0.4, 0, 0.2]", "center: [0, 0, -5]"))
     assert any("`bubble` hides the patch" in each.what for each in check_text(text).diagnostics)

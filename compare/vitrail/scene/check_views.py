@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import math
 
 import numpy as np
 
@@ -10,11 +11,11 @@ from vitrail.scene.diagnostic import suggestion
 from vitrail.scene.distance import distance_to_surface
 from vitrail.scene.findings import Findings
 from vitrail.scene.inside import contains, depth_in, is_solid
-from vitrail.scene.model import Mesh, Object, Observation, Patch
+from vitrail.scene.model import Image, Mesh, Object, Observation, Patch
 from vitrail.scene.phenomenon import Phenomenon
 from vitrail.scene.room import is_room
 from vitrail.scene.vector import Vec, cross, dot, length, subtract, unit
-from vitrail.scene.view import sight
+from vitrail.scene.view import Sighting, sight
 
 OFF_SURFACE = 1e-6
 """A patch farther from every surface than this share of its size is reported as lying on none."""
@@ -24,6 +25,9 @@ CURVED = 0.06
 
 FACING = 0.02
 """Below this cosine (89 degrees) a patch is too foreshortened to be measured."""
+
+LEAST_PIXELS = 0.25
+"""A patch that is narrower in the picture shows its neighbours and not itself."""
 
 _STEPS = 1024
 
@@ -77,11 +81,23 @@ def _check_in_picture(findings: Findings, index: int, patch: Patch) -> bool:
         what = f"the patch is outside the picture (its centre is at {center.x:.3g}, {center.y:.3g} of +-1)"
         findings.error(what, "turn or widen the camera, or move the patch", *path)
         return False
-    cut = [corner for corner in corners_of(patch) if not sight(scene.camera, scene.image, corner).is_inside]
+    corners = [sight(scene.camera, scene.image, corner) for corner in corners_of(patch)]
+    thin = min(_pixels_between(scene.image, corners[0], end) for end in (corners[1], corners[2]))
+    if thin < LEAST_PIXELS:
+        what = f"the patch is {thin:.2g} pixels wide in the picture, which leaves nothing to measure on it"
+        findings.error(what, "make the patch larger, go closer, or render more pixels", *path)
+    cut = [corner for corner in corners if not corner.is_inside]
     if cut:
         what = f"{len(cut)} of the patch's 4 corners are outside the picture"
         findings.warning(what, "make the patch smaller, or the view wider", *path)
     return True
+
+
+def _pixels_between(image: Image, start: Sighting, end: Sighting) -> float:
+    """The length of an edge in the picture, pixels; endless where an end is behind the camera."""
+    if min(start.depth_m, end.depth_m) <= 0:
+        return math.inf
+    return math.hypot((end.x - start.x) * image.width / 2, (end.y - start.y) * image.height / 2)
 
 
 def _check_facing(findings: Findings, index: int, patch: Patch) -> None:
