@@ -11,21 +11,25 @@ from vitrail.commands.output import print_json
 
 
 def mutants(
-    bench: Path = typer.Option(Path("scenes/calibration"), "--bench", help="The folder of the calibration scenes."),
+    scenes: Path = typer.Option(Path("scenes"), "--scenes", help="The folder of calibration and conformance."),
     out: Path = typer.Option(Path("out/mutants"), "--out", metavar="DIR", help="Folder of the study; call to resume."),
     only: list[str] = typer.Option([], "--only", help="Only this mutant; may be given several times."),
+    jobs: int = typer.Option(1, "--jobs", min=1, help="Mutants worked on at a time."),
     equal_runs: int = typer.Option(
         0, "--equal-runs", min=0, help="Instead: so many pairs that differ in the seed alone."
+    ),
+    publish: Path | None = typer.Option(
+        None, "--publish", metavar="DIR", help="Besides measure limits and equal runs, and write page and data there."
     ),
     limits: bool = typer.Option(False, "--limits", help="Instead: the smallest defects that must be seen, and halves."),
     as_json: bool = typer.Option(False, "--json", help="Print the matrix as JSON."),
 ) -> None:
     """Exit code 1 when a mutant escapes."""
     if limits:
-        _limits(bench, out, as_json)
+        _limits(scenes / "calibration", out, as_json)
         return
     if equal_runs:
-        _equal_runs(bench / "ball_lens.yaml", out, equal_runs, as_json)
+        _equal_runs(scenes / "calibration" / "ball_lens.yaml", out, equal_runs, as_json)
         return
     with exit_codes():
         from vitrail.commands.study_options import study_progress
@@ -39,8 +43,10 @@ def mutants(
             raise usage_error(f"--only {unknown[0]}: there is no such mutant; choose from {', '.join(names)}")
         chosen = [known for known in MUTANTS if not only or known.name in only]
         with study_progress("mutants") as report:
-            found = run_mutants(bench, out, mutants=chosen, report=report)
+            found = run_mutants(scenes, out, mutants=chosen, jobs=jobs, report=report)
         page = write_mutants_page(out, found)
+        if publish is not None:
+            page = _publish(scenes / "calibration", out, publish, found)
     if as_json:
         print_json(found)
     else:
@@ -49,6 +55,19 @@ def mutants(
         total = len(found["mutants"])
         typer.echo(f"{found['caught']} of {total} caught, {found['named']} named right; the page is {page}")
     raise typer.Exit(0 if found["caught"] == len(found["mutants"]) else DEVIATES)
+
+
+def _publish(bench: Path, out: Path, target: Path, found: dict) -> Path:
+    """The page and its data, with the limits and the false alarms beside the matrix."""
+    from vitrail.engines.tracer import Tracer
+    from vitrail.report.mutants_text import write_mutants_text
+    from vitrail.scene.load import load
+    from vitrail.study.equal_runs import equal_runs
+    from vitrail.study.mutants.limits import limits_table, measure_limits
+
+    limits = measure_limits(bench, out)
+    equal = equal_runs(load(bench / "ball_lens.yaml"), out / "equal", Tracer(), overrides={})
+    return write_mutants_text(target, found, limits, limits_table(limits), equal)
 
 
 def _equal_runs(scene: Path, out: Path, pairs: int, as_json: bool) -> None:

@@ -1,7 +1,9 @@
-"""Which phenomenon is broken, when several deviate: the most basic one, because the others rest on it.
+"""Which phenomenon is broken, when several deviate: the one seen in the plainest scene that fails.
 
-A wrong light moves every caustic, a wrong index every spectrum. So phenomena are ordered by what they are made of, and
-the first in that order that deviates is named; the engine is the one that closed forms call wrong.
+A scene rests on everything that its plan requires, so a wrong index spoils every caustic too. A defect that shows in a
+scene which requires little cannot lie in what that scene does not require; it is the best witness there is. Among
+scenes that require as much, the phenomenon that the others are made of is named. The engine is the one that closed
+forms call wrong.
 """
 
 from __future__ import annotations
@@ -19,31 +21,42 @@ BASIC_FIRST = (
     Phenomenon.INDIRECT_LIGHT,
     Phenomenon.REFLECTION,
     Phenomenon.REFRACTION,
-    Phenomenon.TOTAL_INTERNAL_REFLECTION,
     Phenomenon.COLOURED_TRANSMISSION,
     Phenomenon.ABSORPTION,
+    Phenomenon.TOTAL_INTERNAL_REFLECTION,
     Phenomenon.ROUGHNESS,
     Phenomenon.DISPERSION,
     Phenomenon.CAUSTIC,
 )
+"""What acts at every face comes before what acts beyond an angle, and both before what is made of many rays."""
 
 
 @dataclass(frozen=True)
 class Diagnosis:
-    """What deviates at all, the phenomenon that explains the rest, and the engine that is wrong where truth tells."""
+    """What deviates at all, the phenomenon that explains the rest, where it shows most plainly (scene and
+    observation), and the engine that is wrong where truth tells."""
 
     phenomenon: Phenomenon | None
     engine: str | None
     deviating: tuple[Phenomenon, ...]
+    scene: str = ""
+    observation: str = ""
 
 
 def diagnose(scenes: Iterable[SceneResult]) -> Diagnosis:
     """Name one phenomenon and one engine for everything that deviates in a run."""
-    observations = [entry for scene in scenes for entry in scene.observations if entry.verdict is Verdict.DEVIATES]
-    deviating = tuple(phenomenon for phenomenon in BASIC_FIRST if any(o.phenomenon is phenomenon for o in observations))
-    if not deviating:
+    found = [(scene, entry) for scene in scenes for entry in scene.observations if entry.verdict is Verdict.DEVIATES]
+    if not found:
         return Diagnosis(None, None, ())
-    return Diagnosis(deviating[0], _engine(o for o in observations if o.phenomenon is deviating[0]), deviating)
+    deviating = tuple(each for each in BASIC_FIRST if any(entry.phenomenon is each for _, entry in found))
+    scene, witness = min(found, key=lambda each: (_demands(each[0]), BASIC_FIRST.index(each[1].phenomenon)))
+    engine = _engine(entry for _, entry in found if entry.phenomenon is witness.phenomenon)
+    return Diagnosis(witness.phenomenon, engine, deviating, scene.name, witness.name)
+
+
+def _demands(scene: SceneResult) -> int:
+    """How many phenomena the scene rests on."""
+    return sum(entry.required for entry in scene.plan)
 
 
 def _engine(observations: Iterable[ObservationResult]) -> str | None:

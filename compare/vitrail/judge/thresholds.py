@@ -27,7 +27,7 @@ class ThresholdError(Exception):
 
 @dataclass(frozen=True)
 class Rule:
-    """How far one metric may be from its ideal. ``certificate``: what a relative residual of 1 is worth, as ``kind``."""
+    """How far one metric may be from its ideal; ``certificate`` is what a residual of 1 is worth, as ``kind``."""
 
     kind: Kind
     amount: float

@@ -70,7 +70,14 @@ def povray_key(version: str, lowered: PovrayScene | None) -> str:
         return ""
     sums = [f"{run.name} {run.half} {run.width} {run.height} {run.samples_across} {run.gain}" for run in lowered.runs]
     return content_key(
-        "povray", version, [lowered.scene_hash, *sums, *(run.sdl for run in lowered.runs), str(lowered.settings)]
+        "povray",
+        version,
+        [
+            lowered.scene_hash,
+            *sums,
+            *(text for run in lowered.runs for text in run.texts.values()),
+            str(lowered.settings),
+        ],
     )
 
 

@@ -5,10 +5,12 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
+from vitrail.lower.povray import PovrayScene
 from vitrail.scene.phenomenon import Phenomenon
-from vitrail.study.compare.defects import DEFECTS, on_text
+from vitrail.study.compare.defects import DEFECTS, brighter_lights, on_text
 from vitrail.study.compare.request import Defect
 from vitrail.study.mutants import misreadings as misread
 from vitrail.study.mutants.mutant import Mutant
@@ -45,6 +47,22 @@ def _known(name: str, phenomenon: Phenomenon, what: str) -> Mutant:
     return Mutant(name, "translator", phenomenon, what, DEFECTS[name])
 
 
+def _in_photons(name: str, what: str, change: Callable[[str], str]) -> Mutant:
+    """A mistake in the text that shoots the photons, and not in the one that draws."""
+
+    def apply(scene: PovrayScene) -> PovrayScene:
+        texts = [None if run.photon_sdl is None else change(run.photon_sdl) for run in scene.runs]
+        runs = tuple(replace(run, photon_sdl=text) for run, text in zip(scene.runs, texts, strict=True))
+        return replace(scene, runs=runs)
+
+    return Mutant(name, "translator", P.CAUSTIC, what, Defect(name, povray=apply))
+
+
+def _mirrored(text: str) -> str:
+    """The camera's right-hand vector turned round."""
+    return re.sub(r"\bright (<[^>]*>)", r"right -1*\1", text)
+
+
 def _drop_total_reflection(lowered: dict[str, Any]) -> None:
     lowered["paper"]["tir"] = "drop"
 
@@ -68,6 +86,7 @@ def _lambert_without_fresnel(lowered: dict[str, Any]) -> None:
 TRANSLATOR = (
     _known("missing_pi", P.DIFFUSION, "light colours are irradiance instead of irradiance over pi"),
     _by_text("gamma", P.DIFFUSION, "assumed_gamma 2.2", _text(r"assumed_gamma 1\b", "assumed_gamma 2.2")),
+    _by_text("flipped_axis", P.DIFFUSION, "the camera is left-handed: pictures are mirrored", _mirrored),
     _by_text("missing_cosine", P.DIFFUSION, "brilliance 0: no cosine", _text(r"diffuse 1\b", "diffuse 1 brilliance 0")),
     _by_text("half_falloff", P.DIFFUSION, "falloff 1/r instead of 1/r^2", _text(r"fade_power 2\b", "fade_power 1")),
     _by_text(
@@ -76,7 +95,9 @@ TRANSLATOR = (
         "the default ambient of 0.1 is left in place",
         _text("ambient 0 ", "ambient 0.1 "),
     ),
-    _by_text("no_shadows", P.SHADOW, "lights are shadowless", _text(r"(light_source \{ <[^>]*>)", r"\1 shadowless")),
+    _by_text(
+        "no_shadows", P.SHADOW, "every lamp is shadowless", _text(r"(light_source \{[^{}]*)\}", r"\1 shadowless }")
+    ),
     _misread("point_lamps", P.SHADOW, "area lights shrink to their centre", misread.smaller_lamps(0.05)),
     _misread("lost_ambient", P.INDIRECT_LIGHT, "ambient light is forgotten", misread.transport(indirect="none")),
     _misread(
@@ -119,7 +140,14 @@ TRANSLATOR = (
     _misread("red_for_blue", P.DISPERSION, "the sign of dispersion", misread.glass(misread.with_dispersion(-1))),
     _misread("narrow_spread", P.DISPERSION, "5 % of the spread is lost", misread.glass(misread.with_dispersion(0.95))),
     _known("photon_overflow", P.CAUSTIC, "photons of flux 32 and more, which POV-Ray drops"),
-    _misread("moved_caustic", P.CAUSTIC, "the sun is 1.5 mrad off: 3 mm at 2 m", misread.turned_sun(1.5e-3)),
+    _misread("moved_caustic", P.CAUSTIC, "a lens sits 3 mm aside", misread.moved_balls(3e-3)),
+    _in_photons("weak_photons", "photons carry 1 % less than light does", brighter_lights(0.99)),
+    _by_text(
+        "counted_twice",
+        P.CAUSTIC,
+        "glass casts no shadow: its light is counted straight on and as photons",
+        lambda text: text.replace("photons { target", "no_shadow photons { target"),
+    ),
 )
 
 TRACER = (
@@ -143,9 +171,9 @@ TRACER = (
     _in_tracer("pure_bands", P.DISPERSION, "band weights that do not sum to white", _pure_bands),
     _in_tracer("lost_photons", P.CAUSTIC, "the photon pass is skipped", _lose_photons),
     _tracer_misread(
-        "leaky_ball",
-        P.CAUSTIC,
-        "1 % of the flux of clear glass is lost",
+        "leaky_glass",
+        P.REFRACTION,
+        "1 % of the flux is lost in clear glass",
         misread.glass(
             lambda m: {"transmission": (0.995,) * 3} if m.transmission == (1.0, 1.0, 1.0) and not m.fresnel else {}
         ),

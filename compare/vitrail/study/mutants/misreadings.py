@@ -95,6 +95,18 @@ def turned_sun(angle: float) -> Misreading:
     return lights(change)
 
 
+def moved_balls(metres: float) -> Misreading:
+    """Balls ``metres`` aside, along x."""
+
+    def change(item: Object) -> Object:
+        if item.sphere is None:
+            return item
+        x, y, z = item.sphere.center
+        return item.model_copy(update={"sphere": item.sphere.model_copy(update={"center": (x + metres, y, z)})})
+
+    return objects(change)
+
+
 def smaller_lamps(factor: float) -> Misreading:
     """Area lights shrunk to ``factor`` of their edges, with the same power."""
 

@@ -1,0 +1,109 @@
+"""The scenes that mutants are put into, and what they give without any."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from vitrail.judge.records import Results, SceneResult
+from vitrail.plan.analyse import analyse
+from vitrail.plan.budget import settings_for
+from vitrail.scene.load import Loaded, load
+from vitrail.study.compare.render import lower_both, povray_key, tracer_key
+from vitrail.study.compare.request import Defect, Request
+from vitrail.study.compare.scene_run import SceneRun, run_scene
+from vitrail.study.compare.suite import about_run, judge
+
+FEWER: Mapping[str, object] = {"photons": 200_000}
+"""Where POV-Ray takes 10 s and more at the photons of normal quality, and a fifth of them leave 0.1 % of noise."""
+
+BENCH: Mapping[str, Mapping[str, object]] = {
+    "conformance/camera": {},
+    "calibration/grey_card_directional": {},
+    "calibration/grey_card_point": {},
+    "calibration/penumbra": {},
+    "calibration/ambient_card": {},
+    "calibration/mirror": {},
+    "calibration/slab_clear": {},
+    "calibration/slab_tilted": {},
+    "calibration/reflecting_prism": {},
+    "calibration/tinted_pane_seen": {},
+    "calibration/tinted_pane_projected": FEWER,
+    "calibration/beer_wedge": {},
+    "calibration/frosted_edge": {},
+    "calibration/prism_screen": FEWER,
+    "calibration/ball_lens": {},
+}
+"""At least one scene a phenomenon, with the settings that are not those of normal quality."""
+
+ALONE: Mapping[str, tuple[float, str]] = {
+    "ssim": (0.95, "below"),
+    "flip": (0.05, "above"),
+    "relmse": (0.01, "above"),
+}
+"""Customary thresholds on whole images: what one number over the picture would have said."""
+
+
+@dataclass(frozen=True)
+class Bench:
+    """The scenes with their clean results; ``requests`` hold their settings, ``alarms`` what one number over a clean
+    picture already calls different, by metric."""
+
+    scenes: Mapping[str, Loaded]
+    clean: Mapping[str, SceneRun]
+    requests: Mapping[str, Request]
+    alarms: Mapping[str, frozenset[str]]
+
+    def judged(self, runs: Mapping[str, SceneRun]) -> Results:
+        return judge([runs[name] for name in self.scenes], about_run((), 0))
+
+    def touched(self, defect: Defect) -> list[str]:
+        """The scenes whose lowered form a defect changes."""
+        return [
+            name
+            for name, loaded in self.scenes.items()
+            if content(loaded, replace(self.requests[name], defect=defect)) != content(loaded, self.requests[name])
+        ]
+
+
+def clean_bench(folder: Path, out: Path) -> Bench:
+    """Every scene of the bench without any defect; ``folder`` holds the folders of scenes."""
+    scenes = {Path(name).name: load(folder / f"{name}.yaml") for name in BENCH}
+    requests = {Path(name).name: Request(out=out / "bench", overrides=own) for name, own in BENCH.items()}
+    clean = {name: run_scene(loaded, name, requests[name], unwatched) for name, loaded in scenes.items()}
+    records = [run.record for run in clean.values()]
+    alarms = {metric: frozenset(scene.name for scene in records if _is_far(scene, metric)) for metric in ALONE}
+    return Bench(scenes, clean, requests, alarms)
+
+
+def content(loaded: Loaded, request: Request) -> tuple[str, str]:
+    """What decides both images of a scene."""
+    plan = analyse(loaded.scene)
+    settings = settings_for(loaded.scene, plan, request.quality, **request.overrides)
+    lowered = lower_both(loaded, plan, settings, request)
+    return tracer_key("", lowered.tracer), povray_key("", lowered.povray)
+
+
+def alone(bench: Bench, scenes: list[SceneResult]) -> dict[str, dict[str, object]]:
+    """Whether each whole-image number would have stopped the run, and on which scenes.
+
+    A scene on which it calls even the clean run different tells nothing, and is not counted.
+    """
+    return {
+        metric: {"caught": bool(told), "scenes": told}
+        for metric in ALONE
+        for told in [
+            [scene.name for scene in scenes if scene.name not in bench.alarms[metric] and _is_far(scene, metric)]
+        ]
+    }
+
+
+def _is_far(scene: SceneResult, metric: str) -> bool:
+    threshold, side = ALONE[metric]
+    values = [entry.value for entry in scene.global_metrics if entry.metric == metric]
+    return any(value < threshold if side == "below" else value > threshold for value in values)
+
+
+def unwatched(phase: str, done: float, total: float) -> None:
+    """Nobody watches a single scene of the bench."""
