@@ -33,7 +33,9 @@ def longest_chain(scene: Scene) -> Chain:
             return _in_and_out(scene, specular[0])
     limits = scene.transport
     names = ", ".join(f"`{item.name}`" for item in specular[:8]) + (" and more" if len(specular) > 8 else "")
-    return Chain(limits.max_reflections, limits.max_transmissions, False, f"no limit is proven for {names}")
+    crossed = any(scene.material_of(item).is_transmissive for item in specular)
+    transmissions = limits.max_transmissions if crossed else 0
+    return Chain(limits.max_reflections, transmissions, False, f"no limit is proven for {names}")
 
 
 def _chain(scene: Scene, reflections: int, transmissions: int, reason: str) -> Chain:

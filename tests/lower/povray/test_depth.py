@@ -43,10 +43,36 @@ def test_where_the_counter_is_longer_than_the_scene_allows_the_certificate_names
     materials = MATERIALS.replace("transmission: 1", "transmission: 0.9")
     limits = "transport: {max_reflections: 3}"
     certificate = lowered(scene(materials, f"{PIPE}\n{second}\n{PANEL}", more=limits)).certificate
-    mirrored = [entry for entry in certificate.of(Phenomenon.TOTAL_INTERNAL_REFLECTION) if entry.item == "path"]
+    mirrored = [entry for entry in certificate.of(Phenomenon.REFRACTION) if "reflections" in entry.source_law]
     assert [entry.residual for entry in mirrored] == [pytest.approx(0.9**4)]
     # It says what one path may weigh, not how many there are, so it widens no tolerance.
     assert mirrored[0].unit == "of a path"
+    assert certificate.bound(Phenomenon.REFRACTION) < 0.001
+
+
+def test_mirrors_that_face_each_other_show_each_other_as_often_as_the_scene_allows() -> None:
+    """Two mirrors of share 1/2 and a glowing panel between them: its images are dimmer by halves, and then none."""
+    materials = "mirror: {reflection: 0.5}\npanel: {emission: 1}"
+    objects = """
+    - {name: left, rectangle: {center: [-1, 0, 0], u: [0, 4, 0], v: [0, 0, 4]}, material: mirror}
+    - {name: right, rectangle: {center: [1, 0, 0], u: [0, 4, 0], v: [0, 0, 4]}, material: mirror}
+    - {name: panel, rectangle: {center: [0, 0, -2], u: [1, 0, 0], v: [0, 2, 0]}, material: panel}
+    """
+    # Looking at 75 degrees to the depth, the way to the panel, 3 m deep, leads 11.2 m aside: 5 or 6 mirrors.
+    way = np.array([math.sin(math.radians(75)), 0, -math.cos(math.radians(75))])
+    camera = (
+        f"camera: {{kind: orthographic, position: [0, 0, 1], look_at: {(np.array([0, 0, 1]) + way).tolist()},"
+        " up: [0, 1, 0], height: 0.02}"
+    )
+    image = "image: {width: 2, height: 2}"
+    aside = 3 * math.tan(math.radians(75))
+    mirrors = math.floor((aside + 1) / 2)
+    for most, expected in ((mirrors, 0.5**mirrors), (mirrors - 1, 0.0)):
+        limits = f"transport: {{max_reflections: {most}}}"
+        seen = rendered(
+            scene(materials, objects, lights="", camera=camera, image=image, more=limits), quality="reference"
+        )
+        assert seen.mean[0] == pytest.approx(expected, rel=1e-3, abs=1e-9)
 
 
 def test_light_that_has_to_cross_an_infinite_plane_arrives_nowhere() -> None:

@@ -49,9 +49,10 @@ def mirror_share(material: Material) -> float:
     return ((index - 1) / (index + 1)) ** 2
 
 
-def total_reflection_share(material: Material) -> float:
-    """What one total reflection leaves of a path at most: r + t where light can be inside, else 0."""
-    return max(specular_pool(material, Exposure())) if material.is_transmissive and material.ior != 1 else 0.0
+def longest_lived_share(material: Material) -> float:
+    """What one reflection leaves of a path at most: r + t where light may be inside and reflected totally, else r."""
+    inside = material.is_transmissive and material.ior != 1
+    return max(specular_pool(material, Exposure())) if inside else mirror_share(material)
 
 
 def _pool(item: str, material: Material) -> Iterator[Entry]:

@@ -11,7 +11,7 @@ from vitrail.lower.povray.depth import LIMIT, TraceDepth
 from vitrail.lower.povray.gaps import GAP, Shrunk
 from vitrail.lower.povray.indices import Indices
 from vitrail.lower.povray.lights import FADE_SHARE, Source
-from vitrail.lower.povray.material_residuals import material_entries, mirror_share, total_reflection_share
+from vitrail.lower.povray.material_residuals import longest_lived_share, material_entries
 from vitrail.lower.povray.modes import Mode
 from vitrail.lower.povray.nesting import HAIR, Nesting
 from vitrail.lower.povray.normalise import Normalisation
@@ -26,6 +26,10 @@ from vitrail.scene.vector import length
 
 HALF_FLOAT = 4.9e-4
 """Largest relative rounding of an 11-bit mantissa: half a step at its low end [P 6]."""
+
+
+IN_AND_OUT = 2
+"""Transmissions of a path through lone convex glass: so far POV-Ray's counter cuts reflections where the scene does."""
 
 
 @dataclass(frozen=True)
@@ -160,30 +164,33 @@ def _depth(translation: Translation) -> Iterator[Entry]:
         "each way out of a path loses at most one such branch; two on average",
     )
     yield Entry(shown, "path", "every branch", kept, 2 * depth.adc_bailout, RELATIVE, reason)
+    if depth.wanted > LIMIT:
+        yield _too_deep(depth, shown)
     if depth.is_proven:
         return
-    chain = plan.chain
-    share = max(mirror_share(material) for material in scene.materials.values() if material.is_specular)
-    yield Entry(
+    share = max(longest_lived_share(material) for material in scene.materials.values() if material.is_specular)
+    if plan.chain.transmissions > IN_AND_OUT and share > 0:
+        yield Entry(
+            shown,
+            "path",
+            f"at most {plan.chain.reflections} reflections",
+            f"at most {depth.level} levels of both kinds",
+            share ** (plan.chain.reflections + 1),
+            "of a path",
+            "what a path weighs that is mirrored once more; how many there are depends on the shapes",
+        )
+
+
+def _too_deep(depth: TraceDepth, shown: Phenomenon) -> Entry:
+    return Entry(
         shown,
         "path",
-        f"at most {chain.reflections} reflections and {chain.transmissions} transmissions",
-        f"at most {depth.level} levels of both" + (f", POV-Ray's limit of {LIMIT}" if depth.wanted > LIMIT else ""),
-        min(1.0, share ** (chain.reflections + 1)),
-        RELATIVE,
-        "POV-Ray has one counter; light mirrored more often than the scene allows still counts",
+        f"{depth.wanted} levels",
+        f"POV-Ray's limit of {LIMIT}",
+        float(depth.wanted - depth.level),
+        "levels",
+        "what lies behind so many faces is black",
     )
-    pool = max(total_reflection_share(material) for material in scene.materials.values())
-    if pool > 0 and depth.level > chain.reflections + 3 and plan.requires(Phenomenon.TOTAL_INTERNAL_REFLECTION):
-        yield Entry(
-            Phenomenon.TOTAL_INTERNAL_REFLECTION,
-            "path",
-            f"at most {chain.reflections} reflections",
-            f"at most {depth.level} levels",
-            pool ** (chain.reflections + 1),
-            "of a path",
-            "what such a path weighs; how many there are depends on shapes, and the tracer counts what it cuts",
-        )
 
 
 def _grids(translation: Translation) -> Iterator[Entry]:
