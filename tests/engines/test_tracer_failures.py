@@ -119,3 +119,9 @@ def test_an_installed_tracer_lies_in_the_package(monkeypatch: pytest.MonkeyPatch
     monkeypatch.delenv("VITRAIL_TRACER", raising=False)
     monkeypatch.setattr("vitrail.__file__", str(tmp_path / "vitrail" / "__init__.py"))
     assert find_tracer() == program
+
+
+def test_a_rendering_that_takes_too_long_is_ended_and_says_so(tmp_path: Path) -> None:
+    program = fake(tmp_path, "time.sleep(60)").program
+    with pytest.raises(EngineFailure, match="it was stopped after 1 s"):
+        Tracer(program, timeout_s=0.7).render(LOWERED, tmp_path / "out")

@@ -44,12 +44,12 @@ def find_tracer() -> Path:
 
 
 class Tracer:
-    """The tracer as an engine."""
+    """The tracer as an engine. ``timeout_s`` is for one rendering; None lets it take as long as it needs."""
 
     name = "tracer"
 
-    def __init__(self, program: Path | None = None) -> None:
-        self._program = program
+    def __init__(self, program: Path | None = None, timeout_s: float | None = None) -> None:
+        self._program, self._timeout_s = program, timeout_s
 
     @property
     def program(self) -> Path:
@@ -76,7 +76,7 @@ class Tracer:
             scene.write_text(canonical_json(lowered), encoding="utf-8")
             options = ["--out", str(image), "--record", str(record), "--progress"]
             options += ["--threads", str(threads)] if threads else []
-            limits = Limits(memory_bytes=_address_space(lowered))
+            limits = Limits(memory_bytes=_address_space(lowered), wall_s=self._timeout_s)
             finished = self._run(["render", str(scene), *options], limits, progress)
             if finished.interrupted and not (image.is_file() and record.is_file()):
                 raise KeyboardInterrupt
