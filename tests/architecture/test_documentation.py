@@ -12,6 +12,7 @@ from pydantic import BaseModel
 
 from tests.architecture.source_tree import ROOT, project_files
 from vitrail.commands.app import app
+from vitrail.scene.check import check_text
 from vitrail.scene.model import Scene
 
 
@@ -123,3 +124,9 @@ def test_every_link_between_pages_leads_somewhere() -> None:
             if "://" not in target and not ((ROOT / path).parent / target).exists():
                 broken.append(f"{path}: {target}")
     assert not broken, "\n".join(broken)
+
+
+def test_the_scene_of_the_readme_is_a_good_one() -> None:
+    (text,) = re.findall(r"```yaml\n(.*?)```", (ROOT / "README.md").read_text(encoding="utf-8"), re.DOTALL)
+    found = check_text(text)
+    assert not found.diagnostics, found.diagnostics

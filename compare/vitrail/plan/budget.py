@@ -8,6 +8,7 @@ from typing import Literal, get_args
 
 from vitrail.plan.bounds import bounds_of, bounds_of_patch, extent_of
 from vitrail.plan.plan import Plan
+from vitrail.plan.sampling import samples_for
 from vitrail.scene.model import Scene
 from vitrail.scene.phenomenon import Phenomenon
 
@@ -65,7 +66,8 @@ def settings_for(scene: Scene, plan: Plan, quality: Quality = "normal", **overri
     """Settings for a scene at a quality; ``overrides`` replace any field by name.
 
     A scene about its samples (``image.samples``) has them at every quality. A plan without a caustic and without
-    indirect light gets no photons at all. Raises ValueError for an unknown field or a value out of range.
+    indirect light gets no photons at all; one with an observed caustic gets the samples that resolve it. Raises
+    ValueError for an unknown field or a value out of range.
     """
     level = _LEVELS[quality]
     needs_photons = plan.requires(Phenomenon.CAUSTIC) or scene.transport.indirect == "photons"
@@ -82,9 +84,12 @@ def settings_for(scene: Scene, plan: Plan, quality: Quality = "normal", **overri
         reference_mode="auto",
     )
     settings = override(settings, overrides)
-    if settings.gather_radius_m > 0:
-        return settings
-    return replace(settings, gather_radius_m=gather_radius_m(scene, plan, settings.photons))
+    if settings.gather_radius_m == 0:
+        settings = replace(settings, gather_radius_m=gather_radius_m(scene, plan, settings.photons))
+    is_free = "samples" not in overrides and scene.image.samples is None and settings.quality != "draft"
+    if is_free and plan.requires(Phenomenon.CAUSTIC):
+        settings = replace(settings, samples=max(settings.samples, samples_for(scene, settings.gather_radius_m)))
+    return settings
 
 
 def gather_radius_m(scene: Scene, plan: Plan, photons: int) -> float:
