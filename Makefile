@@ -1,13 +1,17 @@
 # Two commands do everything on a fresh Debian 12: `make demo` and `make test`. Each sets up what is missing first.
 
 OUT ?= out/demo
-SCENES ?= $(wildcard scenes/calibration/*.yaml) $(wildcard scenes/paper/*.yaml)
+PRICES ?= out/prices
+SCENES ?= $(wildcard scenes/calibration/*.yaml) $(wildcard scenes/conformance/*.yaml) $(wildcard scenes/paper/*.yaml)
+# CPU seconds that a scene in doubt may cost beyond its first look; about 15 minutes in all on two cores.
+BUDGET_S ?= 20
 
-.PHONY: help setup build demo test bench lint format clean
+.PHONY: help setup build demo prices test bench lint format clean
 
 help:
-	@echo 'make demo    set up, build, compare the calibration and paper scenes in both engines, say where the report is'
+	@echo 'make demo    set up, build, compare all scenes in both engines (15 minutes), say where the report is'
 	@echo 'make test    set up, then every check: C++ tests (release, sanitizers), linters, Python and end-to-end tests'
+	@echo 'make prices  measure again what accuracy costs in both engines, for the four scenes of docs/studies'
 	@echo 'make bench   measure the tracer'
 	@echo 'make lint    check formats, lint and types        make format  let the formatters write'
 	@echo 'make clean   remove build/ and out/               make setup   only install what is missing'
@@ -20,7 +24,13 @@ build: setup
 
 # The last lines say the verdicts and where the report is; the exit code is the verdict.
 demo: build
-	@.venv/bin/vitrail compare $(SCENES) --out $(abspath $(OUT))
+	@.venv/bin/vitrail compare $(SCENES) --out $(abspath $(OUT)) --jobs 2 --budget-s $(BUDGET_S)
+
+# A prism takes POV-Ray one run a band, so fewer settings are tried on it.
+prices: build
+	@.venv/bin/vitrail tradeoff scenes/calibration/ball_lens.yaml --out $(PRICES)/ball_lens --jobs 2
+	@.venv/bin/vitrail tradeoff $(addprefix scenes/calibration/,prism_screen.yaml tinted_pane_seen.yaml slab_clear.yaml) \
+	  --extent quick --out $(PRICES) --jobs 2
 
 test:
 	@tools/test.sh
