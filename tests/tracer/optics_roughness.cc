@@ -51,6 +51,59 @@ TEST(Equation8, DoesNotDrift) {
   EXPECT_LT(degrees(angle_between(sum, d)), 0.05);
 }
 
+/// Counts in bins against their expectations, as a deviation in units of chi^2's own: (chi^2 - dof) / sqrt(2 dof).
+double chi_square_deviation(const std::vector<double>& counts, const std::vector<double>& expected) {
+  double chi_square = 0, dof = -1;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    if (expected[i] < 20) continue;  // too few for a normal count
+    chi_square += (counts[i] - expected[i]) * (counts[i] - expected[i]) / expected[i];
+    ++dof;
+  }
+  return (chi_square - dof) / std::sqrt(2 * dof);
+}
+
+// One-sided, once in 30000 for a right sampler; the numbers are the same every time.
+constexpr double kChiSquare = 4;
+constexpr int kMillion = 1000000;
+
+/// The closed distribution of tan theta [O 1.3].
+double share_below(double x, double lambda) {
+  const double q = lambda / (2 - lambda);
+  if (x >= q) return 1;
+  if (x <= 0) return 0;
+  const double inner = std::sqrt((1 - x) * (q - x) / ((1 + x) * (q + x)));
+  return 1 - 2 / lambda *
+                 (std::sqrt(q * q - x * x) / (1 + q) - x * std::acos(x / q) +
+                  2 * x * x / std::sqrt(1 - x * x) * std::atanh(inner));
+}
+
+/// A million deflections in 40 rings of the closed distribution and 8 directions around it; and their mean stays put.
+TEST(Equation8, HasItsClosedDistributionByChiSquare) {
+  for (const double lambda : {0.1, 0.5, 0.9}) {
+    TestNumbers numbers;
+    const Vec3 d = normalise({0.3, -0.5, 0.8});
+    const SurfaceFrame frame = surface_frame(d);
+    std::vector<double> counts(320), expected(320);
+    for (int ring = 0; ring < 40; ++ring) {
+      const double width = lambda / (2 - lambda) / 40;
+      const double share = share_below((ring + 1) * width, lambda) - share_below(ring * width, lambda);
+      for (int sector = 0; sector < 8; ++sector) expected[ring * 8 + sector] = kMillion * share / 8;
+    }
+    Vec3 sum;
+    for (int i = 0; i < kMillion; ++i) {
+      const Vec3 bent = deflect(d, lambda, d, {numbers.unit(), numbers.unit(), numbers.unit()});
+      sum += bent;
+      const double x = dot(bent, frame.u), y = dot(bent, frame.v);
+      const double tangent = std::hypot(x, y) / dot(bent, d), turn = std::atan2(y, x) / (2 * kPi) + 0.5;
+      const int ring = std::min(39, static_cast<int>(tangent / (lambda / (2 - lambda)) * 40));
+      ++counts[static_cast<std::size_t>(ring * 8 + std::min(7, static_cast<int>(turn * 8)))];
+    }
+    EXPECT_LT(chi_square_deviation(counts, expected), kChiSquare) << lambda;
+    // Mean tangents of .02 to .24 over sqrt(1e6) samples, three times that in each of two directions.
+    EXPECT_LT(angle_between(sum, d), 4 * 0.5 * lambda / 1000) << lambda;
+  }
+}
+
 TEST(Equation8, LeavesTheDirectionAloneAtZero) {
   const Vec3 d = normalise({1, 2, 3});
   EXPECT_EQ(deflect(d, 0, {0, 1, 0}, {0.3, 0.4, 0.5}), d);
@@ -83,6 +136,44 @@ TEST(Ggx, HasItsSlopesFromAbove) {
   // Binomial standard errors are 0.0008 and 0.0006; four of these.
   EXPECT_NEAR(above_alpha / double(kCount), 0.5, 0.0032);
   EXPECT_NEAR(above_twice / double(kCount), 0.2, 0.0026);
+}
+
+/// A million visible normals in cells of 24 heights by 24 directions against D G1 max(0, v.m) / (n.v), integrated over
+/// each cell [W07 eq. 33; Heitz 2018].
+TEST(Ggx, HasItsVisibleNormalsByChiSquare) {
+  constexpr int kSide = 24, kSteps = 24;
+  for (const auto& [alpha, angle] : {std::pair{0.1, 0.0}, std::pair{0.3, 60.0}, std::pair{0.8, 80.0}}) {
+    const Vec3 normal{0, 0, 1}, viewer{std::sin(radians(angle)), 0, std::cos(radians(angle))};
+    const double tan_viewer = std::tan(radians(angle));
+    const double masking = 2 / (1 + std::sqrt(1 + alpha * alpha * tan_viewer * tan_viewer));
+    const auto density = [&](double cosine, double turn) {
+      const double sine = std::sqrt(1 - cosine * cosine);
+      const double toward = std::max(0.0, viewer.x * sine * std::cos(turn) + viewer.z * cosine);
+      const double spread = cosine * cosine * (alpha * alpha - 1) + 1;
+      return alpha * alpha / (kPi * spread * spread) * masking * toward / viewer.z;
+    };
+    // Heights in equal shares of D cos, so that no cell is empty: cos^2 of the share u is (1 - u) / (1 + (a^2 - 1) u).
+    const auto cosine_at = [&](double u) { return std::sqrt((1 - u) / (1 + (alpha * alpha - 1) * u)); };
+    std::vector<double> counts(kSide * kSide), expected(kSide * kSide);
+    for (int i = 0; i < kSide * kSteps; ++i) {
+      const double high = cosine_at(double(i) / (kSide * kSteps)), low = cosine_at((i + 1.0) / (kSide * kSteps));
+      for (int j = 0; j < kSide * kSteps; ++j) {
+        const double turn = 2 * kPi * (j + 0.5) / (kSide * kSteps);
+        expected[static_cast<std::size_t>(i / kSteps * kSide + j / kSteps)] +=
+            kMillion * density(0.5 * (high + low), turn) * (high - low) * 2 * kPi / (kSide * kSteps);
+      }
+    }
+    TestNumbers numbers;
+    for (int i = 0; i < kMillion; ++i) {
+      const Vec3 m = ggx_normal(viewer, normal, alpha, numbers.unit(), numbers.unit());
+      const double square = m.z * m.z, u = (1 - square) / (1 + (alpha * alpha - 1) * square);
+      const double turn = std::atan2(m.y, m.x) / (2 * kPi), j = (turn < 0 ? turn + 1 : turn) * kSide;
+      const int row = std::min(kSide - 1, static_cast<int>(u * kSide)),
+                column = std::min(kSide - 1, static_cast<int>(j));
+      ++counts[static_cast<std::size_t>(row * kSide + column)];
+    }
+    EXPECT_LT(chi_square_deviation(counts, expected), kChiSquare) << alpha << " " << angle;
+  }
 }
 
 /// At any angle, visible facets satisfy E[1 / G1-weighted cosines] such that the mean of m.v / (v.n) over all facets

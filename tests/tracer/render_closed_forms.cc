@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "base/diagnostic.h"
 #include "build_scene.h"
 #include "render/render.h"
 
@@ -192,42 +191,15 @@ TEST(BallLens, HasTheSameAnnuliInLightBins) {
   expect_annuli(rendered(scene, 2).film, 0.01);
 }
 
-/// Bins and discs see the same light on the same surfaces, directly, in a mirror and through glass.
-TEST(LightBins, AgreeWithTheMapInAMixedScene) {
-  SceneBuilder builder;
-  builder.add("floor", RectangleShape{{0, 0, 0}, {3, 0, 0}, {0, 0, -3}}, builder.add(diffuse(0.8)));
-  builder.add("ball", SphereShape{{0, 1, 0}, 0.7}, builder.add(glass(1.5, {1, 0.8, 0.5}, true)));
-  Material mirror = diffuse(0.1);
-  mirror.reflection = {0.8, 0.8, 0.8};
-  builder.add("mirror", RectangleShape{{0, 1, -2}, {2, 0, 0}, {0, 1, 0}}, builder.add(mirror));
-  builder.scene.lights.push_back({"lamp", PointLight{{1, 4, 1}, {10, 10, 10}}});
-  const Vec3 forward = normalise({0, -0.5, -1}), right{1, 0, 0};
-  builder.scene.camera = {CameraKind::perspective, {0, 3, 4}, forward, right, cross(right, forward), 0.5, 0.5};
-  builder.scene.image = {32, 32};
-  builder.scene.settings.photons = 400000;
-  builder.scene.settings.gather_radius_m = 0.02;
-  builder.scene.settings.samples = 400;
-  const auto mean = [](const Film& film) {
-    Rgb sum;
-    for (int y = 0; y < 32; ++y) {
-      for (int x = 0; x < 32; ++x) sum += film.layer(Layer::caustic, x, y);
-    }
-    return sum * (1.0 / 1024);
-  };
-  const Rgb by_map = mean(rendered(builder.scene, 2).film);
-  builder.scene.settings.solver = "light_bins";
-  const Film film = rendered(builder.scene, 2).film;
-  const Rgb by_bins = mean(film);
-  // The means of whole images: discs lose a little at the edges of surfaces, pixel samples of peaks are noisy.
-  for (int c = 0; c < 3; ++c) EXPECT_NEAR(by_bins[c] / by_map[c], 1, 0.02);
-  const Film seven = rendered(builder.scene, 7).film;
-  for (int x = 0; x < 32; ++x) EXPECT_EQ(film.radiance(x, 16), seven.radiance(x, 16));
-}
-
-TEST(Solver, ThatIsNotThereIsRefused) {
+TEST(Limits, ThatCutLightAreTold) {
   Scene scene = ball_lens();
-  scene.settings.solver = "beams";
-  EXPECT_THROW(rendered(scene), InputError);
+  scene.materials[1].fresnel = true;
+  scene.settings.photons = 20000;
+  EXPECT_TRUE(rendered(scene).warnings.empty()) << "eight mirrorings leave less than 1e-8";
+  scene.transport.max_reflections = 0;
+  const std::vector<std::string> warnings = rendered(scene).warnings;
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].find("% of the photons' light was cut after 0 reflections"), std::string::npos) << warnings[0];
 }
 
 }  // namespace

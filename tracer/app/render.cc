@@ -50,7 +50,7 @@ int run_render(const RenderOptions& options) {
   write_exr(options.image, rendering.film, scene.plan,
             {{"vitrail:scene_hash", scene.scene_hash},
              {"vitrail:engine", "vitrail-tracer " VITRAIL_VERSION},
-             {"vitrail:settings", settings_json(scene.settings)}});
+             {"vitrail:settings", settings_json(scene)}});
 
   // Say what was done.
   for (const std::string& warning : rendering.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());

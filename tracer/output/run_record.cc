@@ -8,6 +8,7 @@
 #include <string>
 
 #include "base/diagnostic.h"
+#include "render/light_bins.h"
 
 namespace vitrail {
 namespace {
@@ -16,7 +17,8 @@ using Json = nlohmann::ordered_json;
 
 Json triplet(Rgb v) { return Json::array({v.r, v.g, v.b}); }
 
-Json settings_object(const Settings& settings) {
+Json settings_object(const Scene& scene) {
+  const Settings& settings = scene.settings;
   return {{"samples", settings.samples},
           {"photons", settings.photons},
           {"gather_radius_m", settings.gather_radius_m},
@@ -24,7 +26,7 @@ Json settings_object(const Settings& settings) {
           {"rough_samples", settings.rough_samples},
           {"final_gather_rays", settings.final_gather_rays},
           {"memory_limit_mb", settings.memory_limit_mb},
-          {"solver", settings.solver}};
+          {"solver", takes_light_bins(scene) ? "light_bins" : "photon_map"}};
 }
 
 Json ledger_object(const Ledger& ledger) {
@@ -47,7 +49,7 @@ std::uint64_t peak_memory_bytes() {
 
 }  // namespace
 
-std::string settings_json(const Settings& settings) { return settings_object(settings).dump(); }
+std::string settings_json(const Scene& scene) { return settings_object(scene).dump(); }
 
 std::string run_record_json(const Scene& scene, const Rendering& rendering, const RunFacts& facts) {
   const CpuSeconds& cpu = rendering.cpu_s;
@@ -56,7 +58,7 @@ std::string run_record_json(const Scene& scene, const Rendering& rendering, cons
                        {"engine", "tracer"},
                        {"version", facts.version},
                        {"scene_hash", scene.scene_hash},
-                       {"settings", settings_object(scene.settings)},
+                       {"settings", settings_object(scene)},
                        {"threads", facts.threads},
                        {"cpu_s",
                         {{"total", facts.cpu_total_s},

@@ -15,7 +15,7 @@ struct RunFacts {
 };
 
 /// The settings actually used, as a JSON object on one line; also in the header of the image.
-std::string settings_json(const Settings& settings);
+std::string settings_json(const Scene& scene);
 
 std::string run_record_json(const Scene& scene, const Rendering& rendering, const RunFacts& facts);
 

@@ -43,6 +43,12 @@ Deposit deposit_of(const Scene& scene, const Intersector& intersector, const Pho
 
 }  // namespace
 
+bool takes_light_bins(const Scene& scene) {
+  if (scene.settings.solver != "auto") return scene.settings.solver == "light_bins";
+  const double pixels = static_cast<double>(scene.image.width) * scene.image.height;
+  return static_cast<double>(scene.settings.photons) >= kPhotonsForBins * pixels;
+}
+
 double deposit_in_pixels(const Scene& scene, const Intersector& intersector, const PhotonMap& map, int half,
                          unsigned threads, Monitor& monitor, Film& film) {
   const std::size_t blocks = (map.size() + kPhotonsPerBlock - 1) / kPhotonsPerBlock;

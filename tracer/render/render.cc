@@ -1,5 +1,7 @@
 #include "render/render.h"
 
+#include <cstdio>
+
 #include "base/cpu_clock.h"
 #include "base/diagnostic.h"
 #include "base/parallel.h"
@@ -9,15 +11,31 @@
 namespace vitrail {
 namespace {
 
+// Of the photons' light: the error in light that closed forms are held to.
+constexpr double kTruncatedShare = 0.005;
+
 bool has_photon_pass(const Scene& scene) { return scene.plan.caustic && scene.settings.photons > 0; }
 
 bool has_indirect_pass(const Scene& scene) {
   return scene.transport.indirect == Indirect::photons && scene.plan.indirect_light && scene.settings.photons > 0;
 }
 
-void add(const PhotonStatistics& statistics, Rendering& result) {
+// Light that was still on its way when the limits of the scene ended it: the other engine may let it go on.
+void warn_of_truncated_light(const Scene& scene, const Ledger& ledger, std::vector<std::string>& warnings) {
+  const double emitted = largest_channel(ledger.emitted), cut = largest_channel(ledger.truncated);
+  if (!(cut > kTruncatedShare * emitted)) return;
+  char share[16];
+  std::snprintf(share, sizeof share, "%.2g", 100 * cut / emitted);
+  warnings.push_back(std::string(share) + " % of the photons' light was cut after " +
+                     std::to_string(scene.transport.max_reflections) + " reflections or " +
+                     std::to_string(scene.transport.max_transmissions) +
+                     " transmissions; raise transport.max_reflections or max_transmissions");
+}
+
+void add(const Scene& scene, const PhotonStatistics& statistics, Rendering& result) {
   result.ledger = statistics.ledger;
   result.warnings.insert(result.warnings.end(), statistics.warnings.begin(), statistics.warnings.end());
+  warn_of_truncated_light(scene, statistics.ledger, result.warnings);
   result.cpu_s.photon_pass += statistics.trace_cpu_s;
   result.cpu_s.photon_sort += statistics.sort_cpu_s;
   result.counters.photons_emitted += statistics.emitted;
@@ -78,7 +96,7 @@ Rendering render(const Scene& scene, unsigned threads, Monitor& monitor) {
   LightMaps maps;
   if (has_photon_pass(scene)) {
     maps.caustic = make_photon_maps(scene, intersector, threads, monitor);
-    add(maps.caustic.statistics, result);
+    add(scene, maps.caustic.statistics, result);
   }
   if (has_indirect_pass(scene)) {
     maps.indirect = make_indirect_maps(scene, intersector, threads, monitor);
@@ -100,7 +118,7 @@ Rendering render(const Scene& scene, unsigned threads, Monitor& monitor) {
     result.cpu_s.camera += tile.camera_cpu_s;
     result.cpu_s.gather += tile.gather_cpu_s;
   }
-  if (scene.settings.solver == "light_bins") {
+  if (takes_light_bins(scene)) {
     for (int half = 0; half < 2; ++half) {
       if (!maps.caustic.half[half]) continue;
       result.cpu_s.gather +=

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 
+#include "render/light_bins.h"
+
 namespace vitrail {
 
 CameraTracer::CameraTracer(const Scene& scene, const Intersector& intersector, const LightMaps& maps)
-    : scene_(scene), intersector_(intersector), maps_(maps) {
+    : scene_(scene), intersector_(intersector), maps_(maps), in_bins_(takes_light_bins(scene)) {
   for (const Material& material : scene.materials) {
     const auto& ior = material.ior_by_band;
     disperses_.push_back(std::any_of(ior.begin(), ior.end(), [&](double n) { return n != ior[0]; }));
@@ -78,9 +80,7 @@ void CameraTracer::scatter(const Look& look, const Arrival& arrival, const Inter
 }
 
 // Whether the solver has already counted the photons here in the pixel that sees them directly.
-bool CameraTracer::is_binned(const Look& look) const {
-  return scene_.settings.solver == "light_bins" && look.reflections + look.transmissions == 0;
-}
+bool CameraTracer::is_binned(const Look& look) const { return in_bins_ && look.reflections + look.transmissions == 0; }
 
 // Constant ambient light, or what the global photon map and a look around say.
 Rgb CameraTracer::indirect(const Look& look, const Arrival& arrival, const Interaction& event) const {

@@ -69,6 +69,7 @@ class CameraTracer {
   const Scene& scene_;
   const Intersector& intersector_;
   const LightMaps& maps_;
+  bool in_bins_;                 // photons on what the camera sees directly are counted in its pixels
   std::vector<bool> disperses_;  // by material: the index differs between bands
   CameraPath path_;
   double ior_at_camera_ = 1;

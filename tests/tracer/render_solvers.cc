@@ -1,0 +1,80 @@
+/// The two solvers of caustics: discs around what is seen, and the pixels that see.
+
+#include <gtest/gtest.h>
+
+#include "base/diagnostic.h"
+#include "build_scene.h"
+#include "render/light_bins.h"
+#include "render/render.h"
+
+namespace vitrail {
+namespace {
+
+Rendering rendered(const Scene& scene, unsigned threads = 1) {
+  SilentMonitor monitor;
+  return render(scene, threads, monitor);
+}
+
+/// Caustics seen directly, in a mirror and through glass.
+Scene mixed_scene() {
+  SceneBuilder builder;
+  builder.add("floor", RectangleShape{{0, 0, 0}, {3, 0, 0}, {0, 0, -3}}, builder.add(diffuse(0.8)));
+  builder.add("ball", SphereShape{{0, 1, 0}, 0.7}, builder.add(glass(1.5, {1, 0.8, 0.5}, true)));
+  Material mirror = diffuse(0.1);
+  mirror.reflection = {0.8, 0.8, 0.8};
+  builder.add("mirror", RectangleShape{{0, 1, -2}, {2, 0, 0}, {0, 1, 0}}, builder.add(mirror));
+  builder.scene.lights.push_back({"lamp", PointLight{{1, 4, 1}, {10, 10, 10}}});
+  const Vec3 forward = normalise({0, -0.5, -1}), right{1, 0, 0};
+  builder.scene.camera = {CameraKind::perspective, {0, 3, 4}, forward, right, cross(right, forward), 0.5, 0.5};
+  builder.scene.image = {32, 32};
+  builder.scene.settings.photons = 400000;
+  builder.scene.settings.gather_radius_m = 0.02;
+  builder.scene.settings.samples = 400;
+  return builder.scene;
+}
+
+/// Bins and discs see the same light on the same surfaces, directly, in a mirror and through glass.
+TEST(LightBins, AgreeWithTheMapInAMixedScene) {
+  Scene scene = mixed_scene();
+  const auto mean = [](const Film& film) {
+    Rgb sum;
+    for (int y = 0; y < 32; ++y) {
+      for (int x = 0; x < 32; ++x) sum += film.layer(Layer::caustic, x, y);
+    }
+    return sum * (1.0 / 1024);
+  };
+  const Rgb by_map = mean(rendered(scene, 2).film);
+  scene.settings.solver = "light_bins";
+  const Film film = rendered(scene, 2).film;
+  const Rgb by_bins = mean(film);
+  // The means of whole images: discs lose a little at the edges of surfaces, pixel samples of peaks are noisy.
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(by_bins[c] / by_map[c], 1, 0.02);
+  const Film seven = rendered(scene, 7).film;
+  for (int x = 0; x < 32; ++x) EXPECT_EQ(film.radiance(x, 16), seven.radiance(x, 16));
+}
+
+/// `auto` takes bins from 200 photons a pixel on, and is then the same to the bit.
+TEST(Solver, AutoTakesBinsWherePhotonsAreMany) {
+  Scene scene = mixed_scene();
+  scene.image = {16, 16};
+  scene.settings.samples = 1;
+  for (const std::uint64_t photons : {51198, 51200}) {
+    scene.settings.photons = photons;
+    const bool many = photons >= 200 * 16 * 16;
+    scene.settings.solver = many ? "light_bins" : "photon_map";
+    const Film named = rendered(scene).film;
+    scene.settings.solver = "auto";
+    const Film chosen = rendered(scene).film;
+    EXPECT_EQ(takes_light_bins(scene), many);
+    for (int x = 0; x < 16; ++x) EXPECT_EQ(named.radiance(x, 8), chosen.radiance(x, 8)) << photons;
+  }
+}
+
+TEST(Solver, ThatIsNotThereIsRefused) {
+  Scene scene = mixed_scene();
+  scene.settings.solver = "beams";
+  EXPECT_THROW(rendered(scene), InputError);
+}
+
+}  // namespace
+}  // namespace vitrail
