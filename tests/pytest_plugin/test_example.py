@@ -61,6 +61,16 @@ def test_the_action_passes_the_example_and_annotates_a_broken_one(repository: Pa
     assert "mean_radiance.green is 0.36" in done.stdout and "| pane | deviates |" in summary
 
 
+def test_an_image_by_another_version_is_compared_and_never_silently(repository: Path) -> None:
+    provenance = repository / "references" / "pane" / "provenance.yaml"
+    provenance.write_text(provenance.read_text().replace('version: "0.1.0"', 'version: "0.0.9"'))
+    told = "the stored reference was made by tracer 0.0.9, this is 0.1.0"
+    done = pytest_in(repository, "--vitrail-against", "stored")
+    assert done.returncode == 0 and told in done.stdout and "1 warning" in done.stdout, done.stdout
+    done, _ = action_in(repository)
+    assert done.returncode == 0 and f"title=remark::{told}" in done.stdout
+
+
 def test_a_scene_that_changed_since_its_image_was_accepted_says_so(repository: Path) -> None:
     scene = repository / "scenes" / "pane.yaml"
     scene.write_text(scene.read_text().replace("[0.9, 0.6, 0.2]", "[0.9, 0.6, 0.3]"))

@@ -34,7 +34,7 @@ def print_results(results: Results, page: Path | None) -> None:
 
 
 def attention(scene: SceneResult) -> list[str]:
-    """What, by how much, and the line to make it again; empty for a scene that agrees."""
+    """What, by how much, and the line to make it again; of a scene that agrees only what must be remarked on."""
     lines = [f"[red]{escape(scene.name)}[/]: {escape(scene.message)}"] if scene.message else []
     for observation in scene.observations:
         if observation.verdict.value == "agrees":
@@ -47,7 +47,7 @@ def attention(scene: SceneResult) -> list[str]:
         lines.append(f"  undecided: {escape(scene.more_samples.reason)}; --budget-s bounds it")
     if lines and scene.reproduce:
         lines.append(f"  again: {escape(scene.reproduce)}")
-    return lines
+    return lines + [f"[yellow]{escape(scene.name)}[/]: remark: {escape(warning)}" for warning in scene.warnings]
 
 
 def _line(scene: SceneResult, observation: ObservationResult, comparison: Comparison) -> str:

@@ -24,6 +24,8 @@ class SceneFailure(Exception):
 class SceneFile(pytest.File):
     """One scene; its errors are errors of collection, each with its place."""
 
+    is_remarked = False
+
     def collect(self) -> Iterator[pytest.Item]:
         self.checked = check_file(self.path)
         if not self.checked.is_valid:
@@ -44,7 +46,15 @@ class SceneFile(pytest.File):
             raise SceneFailure(str(error)) from None
         if found.status is not Status.JUDGED:
             raise SceneFailure(f"{found.status.value}: {found.message}")
+        self._remark(found)
         return found
+
+    def _remark(self, found: SceneResult) -> None:
+        """Say once what a reader must know of a scene that is judged: a reference by another version, for example."""
+        if not self.is_remarked:
+            self.is_remarked = True
+            for warning in found.warnings:
+                self.warn(pytest.PytestWarning(warning))
 
 
 class SceneTest(pytest.Item):
