@@ -73,6 +73,8 @@ def naive_fade(text: str) -> str:
 
 def _overflow(scene: PovrayScene) -> PovrayScene:
     """Fewer photons of more light: the picture keeps its brightness, but photons no longer fit their number format."""
+    if all(run.photon_sdl is None for run in scene.runs):
+        return scene
     brighter = on_text(lambda text: sparse_photons(brighter_lights(BRIGHTER)(text)))(scene)
     runs = tuple(replace(run, gain=tuple(each / BRIGHTER for each in run.gain)) for run in brighter.runs)  # type: ignore[arg-type]
     return replace(brighter, runs=runs)

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
-from vitrail.lower.povray import PovrayScene
+from vitrail.lower.povray import PovrayRun, PovrayScene
 from vitrail.scene.phenomenon import Phenomenon
 from vitrail.study.compare.defects import DEFECTS, brighter_lights, on_text
 from vitrail.study.compare.request import Defect
@@ -49,11 +49,17 @@ def _known(name: str, phenomenon: Phenomenon, what: str) -> Mutant:
 
 def _in_photons(name: str, what: str, change: Callable[[str], str]) -> Mutant:
     """A mistake in the text that shoots the photons, and not in the one that draws."""
+    return _of_runs(name, what, lambda run: replace(run, photon_sdl=change(run.photon_sdl)) if run.photon_sdl else run)
 
+
+def _in_drawing(name: str, what: str, change: Callable[[str], str]) -> Mutant:
+    """A mistake in the text that draws, and not in the one that shoots the photons."""
+    return _of_runs(name, what, lambda run: replace(run, sdl=change(run.sdl)))
+
+
+def _of_runs(name: str, what: str, change: Callable[[PovrayRun], PovrayRun]) -> Mutant:
     def apply(scene: PovrayScene) -> PovrayScene:
-        texts = [None if run.photon_sdl is None else change(run.photon_sdl) for run in scene.runs]
-        runs = tuple(replace(run, photon_sdl=text) for run, text in zip(scene.runs, texts, strict=True))
-        return replace(scene, runs=runs)
+        return replace(scene, runs=tuple(change(run) for run in scene.runs))
 
     return Mutant(name, "translator", P.CAUSTIC, what, Defect(name, povray=apply))
 
@@ -71,11 +77,22 @@ def _lose_photons(lowered: dict[str, Any]) -> None:
     lowered["plan"]["caustic"] = False
 
 
-def _pure_bands(lowered: dict[str, Any]) -> None:
-    """Red, yellow, green and blue as pure colours, whose sum is (2, 2, 1) instead of white."""
-    pure = {"red": [1.0, 0.0, 0.0], "yellow": [1.0, 1.0, 0.0], "green": [0.0, 1.0, 0.0], "blue": [0.0, 0.0, 1.0]}
+def _white_bands(lowered: dict[str, Any]) -> None:
+    """Every band an even share of white: the weights still add up, and the spectrum has no colours."""
+    count = len(lowered["bands"])
     for band in lowered["bands"]:
-        band["weight"] = pure.get(band["name"], band["weight"])
+        band["weight"] = [1 / count] * 3
+
+
+def _loud_bands(scene: PovrayScene) -> PovrayScene:
+    """Bands as pure colours: each carries the whole of its channels, so that together they are more than white."""
+    if len({run.name for run in scene.runs if "_band" in run.name}) < 2:
+        return scene
+    most = [max(run.gain[channel] for run in scene.runs) for channel in range(3)]
+    loud = [tuple(top if own > 0 else 0.0 for own, top in zip(run.gain, most, strict=True)) for run in scene.runs]
+    # Blue is the last band's alone, at full weight; red and green are shared by two bands at half weight each.
+    whole = [(2 * red, 2 * green, blue) for red, green, blue in loud]
+    return replace(scene, runs=tuple(replace(run, gain=gain) for run, gain in zip(scene.runs, whole, strict=True)))
 
 
 def _lambert_without_fresnel(lowered: dict[str, Any]) -> None:
@@ -114,7 +131,7 @@ TRANSLATOR = (
     ),
     _misread("fresnel_off", P.REFRACTION, "Fresnel's share is forgotten", misread.glass(lambda m: {"fresnel": False})),
     _misread("wrong_line", P.REFRACTION, "the index of another spectral line", misread.glass(misread.with_index(1.02))),
-    _by_text("depth_default", P.REFRACTION, "trace level 2", _text(r"max_trace_level \d+", "max_trace_level 2")),
+    _by_text("shallow", P.REFRACTION, "rays end at the third face", _text(r"max_trace_level \d+", "max_trace_level 3")),
     _misread(
         "tint_once",
         P.COLOURED_TRANSMISSION,
@@ -139,13 +156,19 @@ TRANSLATOR = (
     _misread("smooth", P.ROUGHNESS, "roughness is forgotten", misread.materials(misread.with_roughness(0))),
     _misread("red_for_blue", P.DISPERSION, "the sign of dispersion", misread.glass(misread.with_dispersion(-1))),
     _misread("narrow_spread", P.DISPERSION, "5 % of the spread is lost", misread.glass(misread.with_dispersion(0.95))),
-    _known("photon_overflow", P.CAUSTIC, "photons of flux 32 and more, which POV-Ray drops"),
+    Mutant(
+        "loud_bands",
+        "translator",
+        P.DISPERSION,
+        "band weights that do not sum to white",
+        Defect("loud_bands", povray=_loud_bands),
+    ),
+    _known("photon_overflow", P.CAUSTIC, "photons of flux 32 and more, which POV-Ray drops without a word"),
     _misread("moved_caustic", P.CAUSTIC, "a lens sits 3 mm aside", misread.moved_balls(3e-3)),
     _in_photons("weak_photons", "photons carry 1 % less than light does", brighter_lights(0.99)),
-    _by_text(
+    _in_drawing(
         "counted_twice",
-        P.CAUSTIC,
-        "glass casts no shadow: its light is counted straight on and as photons",
+        "light through glass counts straight on, because glass casts no shadow, and again as photons",
         lambda text: text.replace("photons { target", "no_shadow photons { target"),
     ),
 )
@@ -168,7 +191,7 @@ TRACER = (
     _tracer_misread(
         "thin_glass", P.ABSORPTION, "half of the way is absorbed", misread.glass(misread.with_absorption(0.5))
     ),
-    _in_tracer("pure_bands", P.DISPERSION, "band weights that do not sum to white", _pure_bands),
+    _in_tracer("white_bands", P.DISPERSION, "every band is white, so the spectrum has no colours", _white_bands),
     _in_tracer("lost_photons", P.CAUSTIC, "the photon pass is skipped", _lose_photons),
     _tracer_misread(
         "leaky_glass",

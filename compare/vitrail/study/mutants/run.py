@@ -77,13 +77,15 @@ def _inject(mutant: Mutant, bench: Bench, place: Path) -> tuple[dict[str, Any], 
         raise ValueError(f"{mutant.name} changes no scene of the bench; it tests nothing")
     requests = {name: replace(bench.requests[name], defect=mutant.defect, out=place) for name in touched}
     runs = {name: run_scene(bench.scenes[name], name, requests[name], unwatched) for name in touched}
-    failed = [f"{name}: {run.record.message}" for name, run in runs.items() if run.record.status is not Status.JUDGED]
-    if failed:
-        raise ValueError(f"{mutant.name} is refused and not measured; {failed[0]}")
     results = bench.judged({**bench.clean, **runs})
     found = diagnose(results.scenes)
+    # A black picture is stopped before anything is measured; a mutant that only does that has tested no verdict.
+    refused = {name: run.record.message for name, run in runs.items() if run.record.status is not Status.JUDGED}
+    if refused and found.phenomenon is None:
+        raise ValueError(f"{mutant.name} is stopped and not measured; {refused}")
     record = {
         "touched": touched,
+        "stopped": sorted(refused),
         **_diagnosis_record(found),
         "witness": _witness(results, found),
         "alone": alone(bench, [scene for scene in results.scenes if scene.name in touched]),
@@ -134,7 +136,8 @@ def _record(mutant: Mutant, row: Row) -> dict[str, Any]:
         **_diagnosis_record(Diagnosis(None, None, ())),
         "touched": [],
         "alone": {},
-        "without": None,
+        "stopped": [],
+        "witness": None,
     }
     return {
         "name": mutant.name,
@@ -143,7 +146,8 @@ def _record(mutant: Mutant, row: Row) -> dict[str, Any]:
         "injected": mutant.phenomenon.value,
         "injected_engine": mutant.engine,
         "failure": row.failure,
-        **(row.result or blank),
+        **blank,
+        **(row.result or {}),
     }
 
 
