@@ -9,5 +9,5 @@ camera {
   right <1.091910702798607, 0, 0>
   up <0, 0, -0.7279404685324047>
 }
-light_source { <0, 13107.2, 9830.4> rgb 0.954929658551372 parallel point_at <0, 0, 0> }
+light_source { <0, 13107.2, 9830.4> rgb 61.11549814728781 parallel point_at <0, 0, 0> }
 plane { <0, 1, 0>, 0 texture { pigment { rgb <0.18, 0.5, 0.9> } finish { diffuse 1 } } }

@@ -9,5 +9,5 @@ camera {
   right <1.091910702798607, 0, 0>
   up <0, 0, -0.7279404685324047>
 }
-light_source { <0, 32, 0> rgb 49735.9197162173 fade_distance 0.032 fade_power 2 }
+light_source { <0, 32, 0> rgb 3183098.861837907 fade_distance 0.032 fade_power 2 }
 plane { <0, 1, 0>, 0 texture { pigment { rgb <0.18, 0.5, 0.9> } finish { diffuse 1 } } }

@@ -9,7 +9,7 @@ camera {
   right <0.5, 0, 0>
   up <0, 0.43301270189221935, -0.25>
 }
-plane { <0, 1, 0>, -0.5 texture { pigment { rgb 1 } finish { emission 1 } } }
+plane { <0, 1, 0>, -0.5 texture { pigment { rgb 64 } finish { emission 1 } } }
 box {
   <-20, -0.25, -20>, <20, 0, 20>
   texture { pigment { rgb 1 filter 1 } finish { reflection { 0, 1 fresnel on } conserve_energy } }

@@ -198,3 +198,14 @@ def test_beer_and_lambert_inside_a_slab() -> None:
     """
     seen = rendered(scene(materials, objects, lights="", camera=LOOKING_DOWN))
     assert seen.mean == pytest.approx(np.exp(-np.array([0.5, 2, 10]) * 0.3), rel=HALF_FLOAT)
+
+
+def test_what_is_dark_beside_a_bright_panel_keeps_its_digits() -> None:
+    """Half floats below 6e-5 lose bits; a factor on all light keeps 2e-3 beside 320 above that."""
+    objects = """
+    - {name: bright, rectangle: {center: [-0.5, 0, 0], u: [0.5, 0, 0], v: [0, 0, -1]}, material: bright}
+    - {name: dark, rectangle: {center: [0.5, 0, 0], u: [0.5, 0, 0], v: [0, 0, -1]}, material: dark}
+    """
+    seen = rendered(scene("bright: {emission: 320}\ndark: {emission: 0.002}", objects, lights="")).image.radiance
+    assert seen[16, 8, 0] == pytest.approx(320, rel=HALF_FLOAT)
+    assert seen[16, 24, 0] == pytest.approx(0.002, rel=5e-4)

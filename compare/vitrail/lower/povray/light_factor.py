@@ -1,6 +1,7 @@
 """The factor on all light of a run: images near 1, and photons whose flux POV-Ray stores exactly.
 
-Without photons it is a power of two, so that undoing it loses nothing. With photons it gives the flux of the main path
+Without photons it is a power of two, so that undoing it loses nothing, and what is a million times darker than the
+brightest light still has all its digits. With photons it gives the flux of the main path
 the mantissa 255 / 256, lifted a hair above, because storing truncates to 8 bits. From there a flux that varies can only
 fall (Fresnel, absorption), and steps are smallest at the top.
 """
@@ -17,6 +18,8 @@ from vitrail.scene.model import Checker, Material, Scene
 
 ABOVE_THE_STEP = 1 + 2e-6
 """Lifts a flux over its truncation step by more than single precision may lower it."""
+HEADROOM = 64.0
+"""How far above 1 the brightest light lies without photons: half floats keep 11 bits from 6e-5 to 65504, not below."""
 MANTISSA = 255 / 256
 """The largest mantissa of 8 bits; 180 / 256, that of the second half, divides by the same step."""
 
@@ -30,7 +33,7 @@ def light_factor(scene: Scene, lights: Sequence[Source], photons: PhotonPass | N
         return 1.0
     factor = 2.0 ** round(-math.log2(peak))
     if photons is None or brightest == 0:
-        return factor
+        return factor * HEADROOM
     main = max(
         photon_flux(source, ball, photons.spacing["a"], max(exposure.share(source.strength)))
         for source in lights
