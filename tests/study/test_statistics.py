@@ -14,10 +14,7 @@ from vitrail.study.statistics import (
     cost_of_error,
     error_at_cost,
     knee,
-    mean_interval,
     pareto_front,
-    rms_interval,
-    setting_of,
 )
 
 
@@ -54,24 +51,3 @@ def test_equal_error_and_equal_time() -> None:
     assert cost_of_error(front, 0.001) is None
     assert error_at_cost(front, 50) == 0.1
     assert error_at_cost(front, 0.5) is None
-
-
-def test_intervals_cover_at_their_level() -> None:
-    rng = np.random.default_rng(1)
-    trials, covered_mean, covered_rms = 2000, 0, 0
-    for _ in range(trials):
-        samples = rng.normal(3.0, 1.0, 5)
-        interval = mean_interval(samples)
-        covered_mean += interval.low <= 3.0 <= interval.high
-        errors = rms_interval(rng.normal(0.0, 2.0, 5))
-        covered_rms += errors.low <= 2.0 <= errors.high
-    # 95 % of 2000 has a standard deviation of 9.7; four of them on either side.
-    assert abs(covered_mean - 0.95 * trials) < 4 * 9.75
-    assert abs(covered_rms - 0.95 * trials) < 4 * 9.75
-
-
-def test_bias_and_spread_are_apart() -> None:
-    setting = setting_of("a", [1.0, 1.2], [0.1, 0.3])
-    assert setting.bias == pytest.approx(0.2)
-    assert setting.standard_deviation == pytest.approx(0.1 * math.sqrt(2))
-    assert setting.error.value == pytest.approx(math.sqrt((0.01 + 0.09) / 2))

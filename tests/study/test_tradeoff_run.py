@@ -44,21 +44,64 @@ def test_one_command_measures_analyses_and_resumes(program, tmp_path: Path) -> N
     assert (tmp_path / "samples.jsonl").read_bytes() == samples
 
 
-def test_a_scene_without_truth_is_refused_with_the_remedy(program, tmp_path: Path) -> None:
+def test_without_a_closed_form_the_reference_states_its_own_error(program, tmp_path: Path) -> None:
     lonely = tmp_path / "lonely.yaml"
-    lonely.write_text((SCENES / "slab_tilted.yaml").read_text())
-    result = CliRunner().invoke(program, [str(lonely), "--out", str(tmp_path / "out")])
+    lonely.write_text(
+        (SCENES / "penumbra.yaml").read_text().replace("width: 120, height: 120", "width: 40, height: 40")
+    )
+    out = tmp_path / "out"
+    arguments = [str(lonely), "--out", str(out), "--extent", "quick"]
+    result = CliRunner().invoke(program, arguments)
+    assert result.exit_code == 0, result.output
+    assert [row.failure for row in read_rows(out) if row.failure] == []
+    found = json.loads((out / "tradeoff.json").read_text())["phenomena"]["shadow"]
+    assert found["reference"] == "converged rendering" and 0 < found["reference_error"] < 0.05
+    assert "against a rendering that is itself known to" in result.output
+    # The two renderings are kept by content, and asked for once.
+    assert len(list((out / "reference").glob("*.exr"))) == 2
+
+
+def test_a_scene_that_observes_nothing_is_refused_with_the_remedy(program, tmp_path: Path) -> None:
+    blind = tmp_path / "blind.yaml"
+    blind.write_text((SCENES / "slab_clear.yaml").read_text().split("observe:")[0])
+    result = CliRunner().invoke(program, [str(blind), "--out", str(tmp_path / "out")])
     assert result.exit_code == 2
-    assert "analytic.yaml has no closed form" in result.output
+    assert "add an `observe` entry" in result.output
 
 
 @pytest.mark.parametrize(
-    ("scene", "knob"),
-    [("ball_lens", "photons"), ("slab_tilted", "samples"), ("prism_screen", "bands")],
+    ("scene", "knobs"),
+    [
+        ("ball_lens", {"photons", "gather_radius_m", "solver", "image_scale", "samples"}),
+        ("slab_tilted", {"samples", "max_reflections"}),
+        (
+            "prism_screen",
+            {
+                "photons",
+                "gather_radius_m",
+                "solver",
+                "image_scale",
+                "samples",
+                "bands",
+                "reference_mode",
+                "max_transmissions",
+            },
+        ),
+        ("tinted_pane_seen", {"samples", "max_transmissions", "reference_mode"}),
+    ],
 )
-def test_only_knobs_with_a_meaning_are_turned(scene: str, knob: str) -> None:
-    plan = analyse(load(SCENES / f"{scene}.yaml").scene)
-    tried = matrix(plan, 0.01, "quick")
-    assert len({str({**each.settings, **each.transport}.get(knob)) for each in tried}) > 1
-    if scene == "slab_tilted":
-        assert not any("photons" in each.settings for each in tried)
+def test_only_knobs_with_a_meaning_are_turned(scene: str, knobs: set[str]) -> None:
+    loaded = load(SCENES / f"{scene}.yaml").scene
+    tried = [{**each.settings, **each.wishes} for each in matrix(loaded, analyse(loaded), 0.01, "quick")]
+    names = {name for each in tried for name in each}
+    own = loaded.transport.model_dump()
+    assert not [each for each in tried for name in each if name in own and each[name] == own[name]], "tried twice"
+    turned = {name for name in names if len({str(each.get(name)) for each in tried}) > 1}
+    assert turned == knobs
+
+
+def test_only_the_tracer_counts_photons_in_pixels() -> None:
+    loaded = load(SCENES / "ball_lens.yaml").scene
+    tried = matrix(loaded, analyse(loaded), 0.01, "normal")
+    assert {each.engine for each in tried if each.settings.get("solver") == "light_bins"} == {"tracer"}
+    assert len({(each.engine, each.seed, each.label) for each in tried}) == len(tried)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from enum import StrEnum
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import typer
 
@@ -22,24 +22,29 @@ class ExtentName(StrEnum):
 
 
 def tradeoff(
-    scenes: list[Path] = typer.Argument(..., metavar="SCENE...", help="Scene files; one, unless --plan is given."),
+    scenes: list[Path] = typer.Argument(..., metavar="SCENE...", help="Scene files; of several, each has its folder."),
     out: Path = typer.Option(..., "--out", metavar="DIR", help="Folder of the study; call again to resume."),
     extent: ExtentName = typer.Option(ExtentName.NORMAL, "--extent", help="How many settings are tried."),
     plan: bool = typer.Option(False, "--plan", help="Measure what the plan saves, for each scene."),
     analyse_only: bool = typer.Option(False, "--analyse-only", help="Analyse stored samples, render nothing."),
     references: Path | None = typer.Option(None, "--references", help="The folder of closed forms."),
+    target_error: list[str] = typer.Option([], "--target-error", metavar="PHENOMENON=ERROR", help="Predict settings."),
+    budget_s: float | None = typer.Option(None, "--budget-s", help="Predict settings for so many CPU seconds."),
     jobs: int = typer.Option(1, "--jobs", min=1, help="Tasks at a time."),
     as_json: bool = typer.Option(False, "--json", help="Print the analysis as JSON."),
 ) -> None:
     with exit_codes():
-        if len(scenes) > 1 and not plan:
-            raise usage_error("give one scene, or --plan for a table over several")
         if plan:
-            found, page = _plans(scenes, out, jobs)
+            found, page = _plans(scenes, out, jobs, analyse_only)
             lines = [_plan_line(scene) for scene in found["scenes"]]
-        else:
+        elif len(scenes) == 1:
             found, page = _prices(scenes[0], out, extent.value, jobs, references, analyse_only)
-            lines = [entry["sentence"] for entry in found["phenomena"].values()]
+            lines = _sentences(found)
+            if target_error or budget_s is not None:
+                lines += _predictions(scenes[0], out, extent.value, references, found, target_error, budget_s)
+        else:
+            found, page = _all_prices(scenes, out, extent.value, jobs, references, analyse_only)
+            lines = [f"{name}: {line}" for name, study in found.items() for line in _sentences(study)]
     if as_json:
         print_json(found)
         return
@@ -54,7 +59,7 @@ def _prices(
     from vitrail.commands.scene_file import read_scene
     from vitrail.commands.study_options import study_progress
     from vitrail.report.tradeoff_page import write_tradeoff_page
-    from vitrail.study.tradeoff.run import NoTruth, analyse_folder, run_tradeoff
+    from vitrail.study.tradeoff.run import NothingObserved, analyse_folder, run_tradeoff
 
     loaded = read_scene(scene)
     try:
@@ -63,24 +68,98 @@ def _prices(
         else:
             with study_progress("tradeoff") as report:
                 found = run_tradeoff(loaded, out, extent=extent, jobs=jobs, references=references, report=report)
-    except NoTruth as nothing:
+    except NothingObserved as nothing:
         raise usage_error(str(nothing)) from None
     except FileNotFoundError as missing:
-        raise usage_error(f"{missing.filename}: no such file; run the study first, without --analyse-only") from None
+        raise _not_run(missing) from None
     return found, write_tradeoff_page(out, found)
 
 
-def _plans(scenes: list[Path], out: Path, jobs: int) -> tuple[dict, Path]:
+def _predictions(
+    scene: Path,
+    out: Path,
+    extent: Extent,
+    references: Path | None,
+    found: dict,
+    target_error: list[str],
+    budget_s: float | None,
+) -> list[str]:
+    """Settings that the study's model chooses, each with the score of its prediction."""
+    from vitrail.commands.scene_file import read_scene
+    from vitrail.commands.study_options import study_progress
+    from vitrail.report.tradeoff_page import write_tradeoff_page
+    from vitrail.study.tradeoff.predict import Aim, predict, prediction_line
+    from vitrail.study.tradeoff.run import measure_of
+
+    aims = [_aim(text, found) for text in target_error]
+    if budget_s is not None:
+        aims += [Aim(phenomenon, budget_s=budget_s) for phenomenon in found["phenomena"]]
+    loaded = read_scene(scene)
+    measure, _ = measure_of(loaded, out, extent, references)
+    with study_progress("predictions") as report:
+        predictions = predict(loaded, out, found, measure, aims, report)
+    write_tradeoff_page(out, found, predictions)
+    return [prediction_line(each) for each in predictions]
+
+
+def _aim(text: str, found: dict) -> Any:
+    """``caustic=0.01`` as an aim."""
+    from vitrail.study.tradeoff.predict import Aim
+
+    phenomenon, _, error = text.partition("=")
+    if phenomenon not in found["phenomena"]:
+        known = ", ".join(found["phenomena"])
+        raise usage_error(f"--target-error {text}: the study measured {known}; name one of them")
+    try:
+        wanted = float(error)
+    except ValueError:
+        wanted = 0.0
+    if not 0 < wanted < 1:
+        raise usage_error(f"--target-error {text}: write a share above 0 and below 1, such as {phenomenon}=0.01")
+    return Aim(phenomenon, error=wanted)
+
+
+def _all_prices(
+    scenes: list[Path], out: Path, extent: Extent, jobs: int, references: Path | None, analyse_only: bool
+) -> tuple[dict, Path]:
+    """One study a scene, each in a folder of its name, and a page over all of them."""
+    from vitrail.report.tradeoff_page import write_prices_page
+
+    names = [scene.stem for scene in scenes]
+    twice = next((name for name in names if names.count(name) > 1), None)
+    if twice:
+        raise usage_error(f"two scenes are called {twice}, and their studies would share a folder; run them apart")
+    found = {
+        scene.stem: _prices(scene, out / scene.stem, extent, jobs, references, analyse_only)[0] for scene in scenes
+    }
+    return found, write_prices_page(out, found)
+
+
+def _sentences(found: dict) -> list[str]:
+    return [entry["sentence"] for entry in found["phenomena"].values()]
+
+
+def _plans(scenes: list[Path], out: Path, jobs: int, analyse_only: bool) -> tuple[dict, Path]:
     """Everything on, the plan, and the plan less one phenomenon at a time."""
     from vitrail.commands.scene_file import read_scene
     from vitrail.commands.study_options import study_progress
-    from vitrail.report.tradeoff_page import write_plans_page
-    from vitrail.study.tradeoff.plan_study import run_plan_study
+    from vitrail.report.plans_page import write_plans_page
+    from vitrail.study.tradeoff.plan_study import analyse_plan_folder, run_plan_study
 
     loaded = [read_scene(scene) for scene in scenes]
-    with study_progress("plans") as report:
-        found = run_plan_study(loaded, out, jobs=jobs, report=report)
+    if analyse_only:
+        try:
+            found = analyse_plan_folder(out)
+        except FileNotFoundError as missing:
+            raise _not_run(missing) from None
+    else:
+        with study_progress("plans") as report:
+            found = run_plan_study(loaded, out, jobs=jobs, report=report)
     return found, write_plans_page(out, found)
+
+
+def _not_run(missing: FileNotFoundError) -> Exception:
+    return usage_error(f"{missing.filename}: no such file; run the study first, without --analyse-only")
 
 
 def _plan_line(scene: dict) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import jinja2
+from markupsafe import Markup
 
 from vitrail.report.page import number, quantity
 
@@ -17,12 +18,13 @@ def environment() -> jinja2.Environment:
         loader=jinja2.FileSystemLoader(HERE / "templates"), autoescape=True, undefined=jinja2.StrictUndefined
     )
     found.filters.update(number=number, quantity=quantity)
+    found.globals.update(chart_style=Markup((HERE / "static" / "chart.css").read_text(encoding="utf-8")))
     return found
 
 
 def write_study_page(out: Path, html: str) -> Path:
-    """``index.html`` with the styles it names beside it; each file appears whole."""
-    for name in ("style.css", "study.css"):
+    """``index.html`` with the styles and scripts it names beside it; each file appears whole."""
+    for name in ("style.css", "chart.css", "study.css", "state.js", "theme.js", "study.js"):
         text = (HERE / "static" / name).read_text(encoding="utf-8")
         _write(out / "report" / name, text)
     _write(out / "index.html", html)

@@ -14,7 +14,7 @@ from typing import Any
 from vitrail.study.task import Row, Task
 from vitrail.study.task_log import TaskLog
 
-Work = Callable[[Mapping[str, Any]], tuple[Mapping[str, Any], Mapping[str, float]]]
+Work = Callable[[Mapping[str, Any]], tuple[Mapping[str, Any], Mapping[str, Any]]]
 """Takes a task's spec, returns (result, cost); raises with a message for a person if it cannot."""
 
 

@@ -34,36 +34,6 @@ class Setting:
     standard_deviation: float
 
 
-def mean_interval(samples: Sequence[float], level: float = 0.95) -> Interval:
-    """Mean with Student's t interval; one sample has an unbounded interval."""
-    values = np.asarray(samples, dtype=float)
-    mean = float(values.mean())
-    if len(values) < 2:
-        return Interval(mean, -math.inf, math.inf, level)
-    half = float(stats.t.ppf(0.5 + level / 2, len(values) - 1) * values.std(ddof=1) / math.sqrt(len(values)))
-    return Interval(mean, mean - half, mean + half, level)
-
-
-def rms_interval(signed_errors: Sequence[float], level: float = 0.95) -> Interval:
-    """Root mean square of signed errors over seeds, with the chi-square interval of its square.
-
-    The interval is that of a zero-mean normal error; bias makes it wider than needed, never narrower.
-    """
-    values = np.asarray(signed_errors, dtype=float)
-    n = len(values)
-    total = float((values**2).sum())
-    low = math.sqrt(total / stats.chi2.ppf(0.5 + level / 2, n))
-    high = math.sqrt(total / stats.chi2.ppf(0.5 - level / 2, n))
-    return Interval(math.sqrt(total / n), low, high, level)
-
-
-def setting_of(label: str, costs_s: Sequence[float], signed_errors: Sequence[float]) -> Setting:
-    """Summarise the repeated seeds of one setting; bias and standard deviation are kept apart."""
-    errors = np.asarray(signed_errors, dtype=float)
-    spread = float(errors.std(ddof=1)) if len(errors) > 1 else 0.0
-    return Setting(label, mean_interval(costs_s), rms_interval(signed_errors), float(errors.mean()), spread)
-
-
 def pareto_front(settings: Sequence[Setting]) -> list[Setting]:
     """Settings that no other beats in both cost and error, from cheap to expensive."""
     front: list[Setting] = []

@@ -13,6 +13,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+TIMEOUT_S = 900.0
+"""Wall time that one rendering of a study may take; one that takes longer is a row that says so."""
+
 
 @dataclass(frozen=True)
 class Task:
@@ -36,7 +39,7 @@ class Row:
     spec: Mapping[str, Any]
     result: Mapping[str, Any] | None = None
     failure: str | None = None
-    cost: Mapping[str, float] = field(default_factory=dict)
+    cost: Mapping[str, Any] = field(default_factory=dict)
 
     def result_line(self) -> str:
         """The reproducible part as one JSON line."""

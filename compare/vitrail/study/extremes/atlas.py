@@ -8,29 +8,28 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, get_args
 
-from vitrail.engines.povray import Povray
-from vitrail.engines.tracer import Tracer
+from vitrail.study.engine_build import engine_build
 from vitrail.study.extremes.axis import AtlasEngine, Axis
+from vitrail.study.extremes.ball_axes import BALL_AXES
+from vitrail.study.extremes.incidence_axes import INCIDENCE_AXES
+from vitrail.study.extremes.index_axes import INDEX_AXES
 from vitrail.study.extremes.light_axes import LIGHT_AXES
 from vitrail.study.extremes.measure import probe_of
-from vitrail.study.extremes.optics_axes import OPTICS_AXES
-from vitrail.study.extremes.search import Range, Reading, find_limit
+from vitrail.study.extremes.search import Range, Reading, binary, find_limit, geometric, whole
 from vitrail.study.extremes.size_axes import SIZE_AXES
 from vitrail.study.queue import Progress, run_tasks
 from vitrail.study.task import Row, Task
 from vitrail.study.task_log import TaskLog
 
-AXES: tuple[Axis, ...] = (*SIZE_AXES, *LIGHT_AXES, *OPTICS_AXES)
+AXES: tuple[Axis, ...] = (*SIZE_AXES, *LIGHT_AXES, *BALL_AXES, *INDEX_AXES, *INCIDENCE_AXES)
 ENGINES: tuple[AtlasEngine, ...] = get_args(AtlasEngine)
 
 
 def atlas_tasks(axes: Sequence[Axis] = AXES) -> list[Task]:
     """One task an axis and engine; the key holds what its result depends on."""
-    versions = {"tracer": Tracer().version(), "povray": Povray().version()}
+    builds = {engine: engine_build(engine) for engine in ENGINES}
     return [
-        Task(
-            "range", {"axis": axis.name, "engine": engine, "version": versions[engine], "definition": _definition(axis)}
-        )
+        Task("range", {"axis": axis.name, "engine": engine, "build": builds[engine], "definition": _definition(axis)})
         for axis in axes
         for engine in ENGINES
     ]
@@ -51,7 +50,8 @@ def run_atlas(
 def measure_range(spec: Mapping[str, Any]) -> tuple[Mapping[str, Any], Mapping[str, float]]:
     """The work of one task: walk the axis in the engine and bisect to the first failing value."""
     axis = next(axis for axis in AXES if axis.name == spec["axis"])
-    found = find_limit(list(axis.values), probe_of(axis, spec["engine"]), whole=axis.whole)
+    between = whole if axis.whole else binary if axis.is_binary and spec["engine"] == "tracer" else geometric
+    found = find_limit(list(axis.values), probe_of(axis, spec["engine"]), between)
     return _range_record(found), {}
 
 

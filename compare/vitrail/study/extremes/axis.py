@@ -6,9 +6,9 @@ stands. What our back end makes of the same scene is a third reading, ``povray_l
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 
@@ -39,7 +39,9 @@ class Axis:
 
     ``scene`` gives the scene as YAML, ``sdl`` the same for POV-Ray as a user would write it. ``read`` turns an image
     (height, width, 3) into the measured number; where ``ray`` is given, the tracer follows that ray instead of
-    rendering. ``limit`` says in words what ends the range by the nature of numbers, where something does.
+    rendering; where ``ledger`` is given, the tracer's number is what that makes of its ledger of photons. With
+    ``is_binary`` the tracer's range is bisected over powers of two, because only those are exact. ``limit`` says in
+    words what ends the range by the nature of numbers, where something does.
     """
 
     name: str
@@ -53,7 +55,9 @@ class Axis:
     tolerance: dict[AtlasEngine, Tolerance]
     read: Callable[[np.ndarray, float], float] = lambda image, value: float(np.mean(image))
     ray: Callable[[float], Ray] | None = None
+    ledger: Callable[[Mapping[str, Any]], float] | None = None
     whole: bool = False
+    is_binary: bool = False
     pixels: int = 4
     photons: int = 0
     limit: dict[AtlasEngine, str] = field(default_factory=dict)

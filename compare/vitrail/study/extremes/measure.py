@@ -18,6 +18,7 @@ from vitrail.plan.budget import settings_for
 from vitrail.scene.load import load_text
 from vitrail.study.extremes.axis import AtlasEngine, Axis
 from vitrail.study.extremes.search import Reading
+from vitrail.study.task import TIMEOUT_S
 
 MOST_VERTICES = 1200
 """More than a path may have: 1000 transmissions and what it ends on."""
@@ -56,7 +57,9 @@ def _tracer(axis: Axis, value: float) -> float:
         answer = Tracer().trace(lowered, [*arguments, "--max-vertices", str(MOST_VERTICES)])
         return ray.read(answer["vertices"])
     with tempfile.TemporaryDirectory(prefix="vitrail-atlas-") as folder:
-        rendering = Tracer().render(lowered, Path(folder), threads=1)
+        rendering = Tracer(timeout_s=TIMEOUT_S).render(lowered, Path(folder), threads=1)
+        if axis.ledger is not None:
+            return axis.ledger(rendering.record["ledger"])
         return axis.read(read_image(rendering.image_path).radiance, value)
 
 

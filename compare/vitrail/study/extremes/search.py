@@ -46,17 +46,37 @@ def walk(start: float, factor: float, steps: int) -> list[float]:
     return [start * factor**k for k in range(steps + 1)]
 
 
-def find_limit(
-    values: list[float], probe: Callable[[float], Reading], *, whole: bool = False, sharpness: float = SHARPNESS
-) -> Range:
-    """Try ``values`` in order until one fails, then bisect (in the logarithm, or over whole numbers)."""
+Between = Callable[[float, float], float | None]
+"""The value to try between a holding and a failing one; None where they are as close as needed."""
+
+
+def geometric(holding: float, failing: float) -> float | None:
+    """Halfway in the logarithm, until both are within ``SHARPNESS``."""
+    if max(failing / holding, holding / failing) <= SHARPNESS:
+        return None
+    return math.copysign(math.sqrt(holding * failing), failing)
+
+
+def whole(holding: float, failing: float) -> float | None:
+    """Halfway over whole numbers, until they are neighbours."""
+    return float(math.floor((holding + failing) / 2)) if abs(failing - holding) > 1 else None
+
+
+def binary(holding: float, failing: float) -> float | None:
+    """Halfway over powers of two times the holding value, until the failing one is the next."""
+    steps = round(math.log2(failing / holding))
+    return math.ldexp(holding, steps // 2 if steps > 0 else -(-steps // 2)) if abs(steps) > 1 else None
+
+
+def find_limit(values: list[float], probe: Callable[[float], Reading], between: Between = geometric) -> Range:
+    """Try ``values`` in order until one fails, then bisect."""
     readings: list[Reading] = []
     holding: float | None = None
     for value in values:
         reading = probe(value)
         readings.append(reading)
         if not reading.holds:
-            return _bisect(readings, probe, holding, value, whole, sharpness)
+            return _bisect(readings, probe, holding, value, between)
         holding = value
     return Range(tuple(readings), holding, None)
 
@@ -66,16 +86,10 @@ def _bisect(
     probe: Callable[[float], Reading],
     holding: float | None,
     failing: float,
-    whole: bool,
-    sharpness: float,
+    between: Between,
 ) -> Range:
-    """Halve the logarithmic distance between a holding and a failing value."""
-    while holding is not None and not _close(holding, failing, whole, sharpness):
-        middle = (
-            float(math.floor((holding + failing) / 2))
-            if whole
-            else math.copysign(math.sqrt(holding * failing), failing)
-        )
+    """Halve the distance between a holding and a failing value."""
+    while holding is not None and (middle := between(holding, failing)) is not None:
         reading = probe(middle)
         readings.append(reading)
         if reading.holds:
@@ -83,9 +97,3 @@ def _bisect(
         else:
             failing = middle
     return Range(tuple(readings), holding, failing)
-
-
-def _close(holding: float, failing: float, whole: bool, sharpness: float) -> bool:
-    if whole:
-        return abs(failing - holding) <= 1
-    return max(failing / holding, holding / failing) <= sharpness

@@ -56,6 +56,7 @@ THICKNESS = Axis(
         "povray": Tolerance(0.01, HALF_FLOAT),
     },
     ray=lambda thickness: Ray((0.01, 0.02, -10.0), (0.0, 0.0, 1.0), last_throughput),
+    limit={"povray": "a face within 1e-4 units of the one just left is taken for it"},
 )
 
 # --- size -----------------------------------------------------------------------------------------------------------
@@ -95,7 +96,7 @@ def _mean_of_channels(image: np.ndarray, value: float) -> float:
     return float((image * weight).sum() / weight.sum())
 
 
-def _size_axis(name: str, quantity: str, factor: float) -> Axis:
+def _size_axis(name: str, quantity: str, factor: float, povray_limit: str) -> Axis:
     return Axis(
         name=name,
         quantity=quantity,
@@ -110,12 +111,14 @@ def _size_axis(name: str, quantity: str, factor: float) -> Axis:
             "povray": Tolerance(1e-3, "half floats round to 5e-4; a missing part of the ball is far more"),
         },
         read=_mean_of_channels,
+        is_binary=True,
         pixels=32,
+        limit={"povray": povray_limit},
     )
 
 
-LARGE = _size_axis("large_scale", "radius of a ball, upwards", 8.0)
-SMALL = _size_axis("small_scale", "radius of a ball, downwards", 0.125)
+LARGE = _size_axis("large_scale", "radius of a ball, upwards", 8.0, "nothing is seen beyond 1e7 units")
+SMALL = _size_axis("small_scale", "radius of a ball, downwards", 0.125, "faces nearer than 1e-4 units are lost")
 
 # --- depth ----------------------------------------------------------------------------------------------------------
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import defaultdict
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import asdict
 from typing import Any
 
@@ -13,15 +13,15 @@ import numpy as np
 from vitrail.study.statistics import (
     Interval,
     Setting,
-    convergence_order,
     cost_of_error,
     error_at_cost,
     knee,
-    mean_interval,
     pareto_front,
 )
 from vitrail.study.task import Row
 from vitrail.study.tradeoff.knobs import Knobs
+from vitrail.study.tradeoff.orders import orders_of
+from vitrail.study.tradeoff.sentence import sentence
 
 TARGETS = (0.05, 0.01, 0.001)
 BUDGETS_S = (0.1, 0.3, 1.0, 3.0, 10.0)
@@ -31,40 +31,29 @@ DRAWS = 400
 
 def analyse_rows(rows: Sequence[Row]) -> dict[str, Any]:
     """One entry a phenomenon, with both engines in it; failed rows are listed with their words."""
+    settings = [row for row in rows if row.kind == "setting"]
+    own = {row.key: row for row in rows if row.kind == "reference" and row.result is not None}
     phenomena: dict[str, dict[str, Any]] = {}
-    for phenomenon in _phenomena(rows):
+    for phenomenon in _phenomena(settings):
+        own_error = _own_error(own.values(), phenomenon)
         engines = {}
         for engine in ("tracer", "povray"):
-            settings = _settings(rows, phenomenon, engine)
-            if settings:
-                engines[engine] = _engine_record(settings)
+            tried = _settings(settings, phenomenon, engine)
+            if tried:
+                engines[engine] = _engine_record(tried, own_error)
         phenomena[phenomenon] = {
             "engines": engines,
             "equal_error": [_equal_error(engines, target) for target in TARGETS],
             "equal_time": [_equal_time(engines, budget) for budget in BUDGETS_S],
-            "sentence": sentence(phenomenon, engines),
+            "reference": "closed form" if own_error is None else "converged rendering",
+            "reference_error": own_error,
+            "sentence": sentence(phenomenon, engines, TARGETS, own_error),
         }
     return {
-        "vitrail_tradeoff": 1,
+        "vitrail_tradeoff": 2,
         "phenomena": phenomena,
         "failures": [{"spec": dict(row.spec), "failure": row.failure} for row in rows if row.failure],
     }
-
-
-def sentence(phenomenon: str, engines: dict[str, Any]) -> str:
-    """What 5 %, 1 % and 0.1 % cost in each engine, in plain words."""
-    parts = []
-    for engine, name in (("tracer", "the tracer"), ("povray", "POV-Ray")):
-        if engine in engines:
-            prices = [_price(engines[engine]["price_s"][str(target)]) for target in TARGETS]
-            parts.append(f"{name} {prices[0]}, {prices[1]} and {prices[2]}")
-    return f"An error of 5 %, 1 % and 0.1 % in the {phenomenon.replace('_', ' ')} costs " + "; ".join(parts) + "."
-
-
-def _price(seconds: float | None) -> str:
-    if seconds is None:
-        return "not reached"
-    return f"{seconds:.2g} CPU s" if seconds < 10 else f"{seconds:.0f} CPU s"
 
 
 def _phenomena(rows: Iterable[Row]) -> list[str]:
@@ -72,55 +61,91 @@ def _phenomena(rows: Iterable[Row]) -> list[str]:
     return list(dict.fromkeys(found))
 
 
-def _settings(rows: Sequence[Row], phenomenon: str, engine: str) -> list[Setting]:
-    """Rows that differ in their seed only are one setting."""
+def _own_error(references: Iterable[Row], phenomenon: str) -> float | None:
+    """Root mean square over the metrics of what two converged renderings differ; None where a formula is the truth."""
+    errors = [
+        error["error"]
+        for row in references
+        for error in (row.result or {})["errors"]
+        if error["phenomenon"] == phenomenon
+    ]
+    return math.sqrt(math.fsum(error**2 for error in errors) / len(errors)) if errors else None
+
+
+def _settings(rows: Sequence[Row], phenomenon: str, engine: str) -> list[tuple[Mapping[str, Any], dict[str, Any]]]:
+    """Knobs and what came of them; rows that differ in their seed only are one setting."""
     groups: dict[str, list[Row]] = defaultdict(list)
     for row in rows:
         if row.result is not None and row.spec["engine"] == engine:
             groups[_label(row)].append(row)
-    return [found for label, group in groups.items() if (found := _setting(label, group, phenomenon)) is not None]
+    return [
+        ({**group[0].spec["settings"], **group[0].spec["wishes"]}, found)
+        for label, group in groups.items()
+        if (found := _setting(label, group, phenomenon)) is not None
+    ]
 
 
 def _label(row: Row) -> str:
-    return Knobs(row.spec["engine"], row.spec["settings"], row.spec["transport"], row.spec["seed"]).label
+    return Knobs(row.spec["engine"], row.spec["settings"], row.spec["wishes"], row.spec["seed"]).label
 
 
-def _setting(label: str, rows: Sequence[Row], phenomenon: str) -> Setting | None:
-    """Root mean square error over metrics and seeds; bias and spread are those of the mean over the metrics."""
+def _setting(label: str, rows: Sequence[Row], phenomenon: str) -> dict[str, Any] | None:
+    """Root mean square error over metrics and seeds; bias and spread are those of the mean over the metrics.
+
+    The cost is the least of the runs, with their range: other work on the machine only ever adds to CPU seconds. Runs
+    that give the same errors to the bit are one sample of the error and several of the cost.
+    """
     entries = [[error for error in (row.result or {})["errors"] if error["phenomenon"] == phenomenon] for row in rows]
+    entries = [entry for entry in entries if [e["metric"] for e in entry] == [e["metric"] for e in entries[0]]]
     if not all(entries):
         return None
-    errors = np.array([[error["error"] for error in entry] for entry in entries])
-    doubts = np.array([[error["standard_error"] for error in entry] for entry in entries])
+    pairs = np.array([[[error["error"], error["standard_error"]] for error in entry] for entry in entries])
+    errors, doubts = np.moveaxis(np.unique(pairs, axis=0), -1, 0)
     rms = float(np.sqrt((errors**2).mean()))
     # The noise of a seed's errors is known from its half images; draw it again to see how the rms scatters.
     rng = np.random.default_rng(0)
     draws = np.sqrt(((errors + doubts * rng.standard_normal((DRAWS, *errors.shape))) ** 2).mean(axis=(1, 2)))
     scatter = float(np.std(draws))
-    interval = Interval(rms, max(rms - 1.96 * scatter, 0.0), rms + 1.96 * scatter)
-    spread = float(errors.std(axis=0, ddof=1).mean()) if len(rows) > 1 else float(doubts.mean())
     costs = [row.cost["cpu_s"] for row in rows]
-    cost = mean_interval(costs) if len(costs) > 1 else Interval(costs[0], costs[0], costs[0])
-    bias = float(np.sqrt((errors.mean(axis=0) ** 2).mean()))
-    return Setting(label, cost, interval, bias, spread)
+    spread = float(errors.std(axis=0, ddof=1).mean()) if len(errors) > 1 else float(doubts.mean())
+    return {
+        "setting": Setting(
+            label,
+            Interval(min(costs), min(costs), max(costs), 1.0),
+            Interval(rms, max(rms - 1.96 * scatter, 0.0), rms + 1.96 * scatter),
+            float(np.sqrt((errors.mean(axis=0) ** 2).mean())),
+            spread,
+        ),
+        "peak_memory_bytes": max(row.cost.get("peak_memory_bytes", 0.0) for row in rows) or None,
+        "runs": len(rows),
+    }
 
 
-def _engine_record(settings: Sequence[Setting]) -> dict[str, Any]:
+def _engine_record(tried: Sequence[tuple[Mapping[str, Any], dict[str, Any]]], own_error: float | None) -> dict:
+    settings: list[Setting] = [found["setting"] for _, found in tried]
     front = pareto_front(settings)
     bend = knee(front)
-    useful = [s for s in front if s.error.value > 0]
-    order = (
-        convergence_order([s.cost_s.value for s in useful], [s.error.value for s in useful])
-        if len(useful) >= 3
-        else None
-    )
     return {
-        "settings": [_record(s, s in front, s is bend) for s in settings],
-        "order": _finite(asdict(order)) if order else None,
-        "price_s": {str(target): cost_of_error(front, target) for target in TARGETS},
+        "settings": [
+            _record(found["setting"], found["setting"] in front, found["setting"] is bend)
+            | {"knobs": dict(knobs), "peak_memory_bytes": found["peak_memory_bytes"], "runs": found["runs"]}
+            for knobs, found in tried
+        ],
+        "orders": orders_of([(knobs, found["setting"]) for knobs, found in tried]),
+        "price_s": {str(target): _price(front, target, own_error) for target in TARGETS},
         "error_at_s": {str(budget): error_at_cost(front, budget) for budget in BUDGETS_S},
         "best_error": min(s.error.value for s in settings),
     }
+
+
+def _price(front: Sequence[Setting], target: float, own_error: float | None) -> dict[str, Any]:
+    """CPU seconds, and whether they are a price, an upper limit, or cannot be told."""
+    if own_error is not None and target < own_error:
+        return {"status": "below_reference", "cpu_s": None}
+    cost = cost_of_error(front, target)
+    if cost is None:
+        return {"status": "not_reached", "cpu_s": None}
+    return {"status": "at_most" if front[0].error.value <= target else "reached", "cpu_s": cost}
 
 
 def _record(setting: Setting, on_front: bool, at_knee: bool) -> dict[str, Any]:
@@ -142,8 +167,8 @@ def _finite(record: dict[str, Any]) -> dict[str, Any]:
 
 def _equal_error(engines: dict[str, Any], target: float) -> dict[str, Any]:
     prices = {engine: record["price_s"][str(target)] for engine, record in engines.items()}
-    ratio = _ratio(prices.get("povray"), prices.get("tracer"))
-    return {"target": target, **prices, "povray_over_tracer": ratio}
+    seconds = [prices.get(engine, {}).get("cpu_s") for engine in ("povray", "tracer")]
+    return {"target": target, **prices, "povray_over_tracer": _ratio(*seconds)}
 
 
 def _equal_time(engines: dict[str, Any], budget: float) -> dict[str, Any]:

@@ -1,7 +1,9 @@
 """The declared matrix: which settings of which engine are tried on a scene, and why.
 
-Only knobs that the plan gives a meaning are turned: photons and gather radius where there is a caustic, bands where
-there is dispersion, depth where chains have no proven end, samples where nothing else is random.
+Only knobs that the plan gives a meaning are turned. The *main* knobs, which buy accuracy, are tried in every
+combination: photons and gather radius where there is a caustic, else samples a pixel; with light bins, which have no
+radius, photons and size of the image. Every other knob is turned by itself from the middle of those: samples, depth,
+bands, and POV-Ray's reference modes.
 """
 
 from __future__ import annotations
@@ -11,7 +13,10 @@ from dataclasses import dataclass
 from itertools import product
 from typing import Any, Literal, get_args
 
+from vitrail.lower.povray.modes import mode_of
+from vitrail.plan.budget import settings_for
 from vitrail.plan.plan import Plan
+from vitrail.scene.model import Scene
 from vitrail.scene.phenomenon import Phenomenon
 
 EngineName = Literal["tracer", "povray"]
@@ -21,72 +26,122 @@ ENGINES: tuple[EngineName, ...] = get_args(EngineName)
 
 PHOTONS: Mapping[Extent, Mapping[EngineName, tuple[int, ...]]] = {
     "quick": {"tracer": (10_000, 100_000, 1_000_000), "povray": (10_000, 100_000)},
-    "normal": {"tracer": (10_000, 40_000, 160_000, 640_000, 2_560_000), "povray": (10_000, 40_000, 160_000, 640_000)},
-    "wide": {
-        "tracer": (10_000, 40_000, 160_000, 640_000, 2_560_000, 10_240_000),
-        "povray": (10_000, 40_000, 160_000, 640_000, 2_560_000),
-    },
+    "normal": {engine: (10_000, 40_000, 160_000, 640_000, 2_560_000) for engine in ENGINES},
+    "wide": {engine: (10_000, 40_000, 160_000, 640_000, 2_560_000, 10_240_000) for engine in ENGINES},
 }
 RADII: Mapping[Extent, tuple[float, ...]] = {"quick": (1.0, 0.5), "normal": (1.0, 0.5, 0.25), "wide": (2, 1, 0.5, 0.25)}
 """Gather radius over the one the budget chooses for a million photons."""
 
+SCALES: Mapping[Extent, tuple[int, ...]] = {"quick": (1, 2), "normal": (1, 2, 4), "wide": (1, 2, 4)}
+"""Width and height of the image over those the scene asks for: a pixel blurs what it sees as much as a gather disc."""
+
 SAMPLES: Mapping[Extent, tuple[int, ...]] = {"quick": (1, 4), "normal": (1, 4, 16), "wide": (1, 4, 16, 64)}
-BANDS: tuple[Any, ...] = ("paper", {"spectral": 8}, {"spectral": 32})
+BANDS: Mapping[Extent, tuple[Any, ...]] = {
+    "quick": ("paper", {"spectral": 8}),
+    "normal": ("paper", {"spectral": 8}, {"spectral": 32}),
+    "wide": ("paper", "povray", {"spectral": 8}, {"spectral": 32}),
+}
 DEPTHS: tuple[int, ...] = (2, 4, 8)
+MODES = ("native", "channels", "slices")
 SEEDS: Mapping[Extent, int] = {"quick": 2, "normal": 3, "wide": 5}
+"""Runs of each setting. POV-Ray has no seed: its runs give one image, and tell how its cost scatters."""
 
 
 @dataclass(frozen=True)
 class Knobs:
-    """One setting of one engine. ``settings`` override the budget, ``transport`` the scene's own wishes."""
+    """One setting of one engine. ``settings`` override the budget, ``wishes`` what the scene asks for: its transport,
+    and ``image_scale`` times its width and height."""
 
     engine: EngineName
     settings: Mapping[str, Any]
-    transport: Mapping[str, Any]
+    wishes: Mapping[str, Any]
     seed: int
 
     @property
     def label(self) -> str:
         """The setting without its seed, for a table or a point of a chart."""
-        parts = {**self.settings, **self.transport}
-        return ", ".join(f"{name} {_short(value)}" for name, value in parts.items())
+        return label_of({**self.settings, **self.wishes})
 
 
-def matrix(plan: Plan, usual_radius_m: float, extent: Extent) -> list[Knobs]:
-    """Every setting to try, cheap ones first, each engine by itself."""
-    return [
-        Knobs(engine, settings, transport, seed)
-        for engine in ENGINES
-        for settings in _settings(plan, usual_radius_m, extent, engine)
-        for transport in _transports(plan, extent)
-        for seed in _seeds(plan, extent, engine)
-    ]
+UNITS = {"gather_radius_m": ("gather radius", 1e3, " mm")}
 
 
-def _settings(plan: Plan, radius_m: float, extent: Extent, engine: EngineName) -> Iterator[dict[str, Any]]:
-    """Photons and radius for a caustic, samples a pixel for anything else."""
+def label_of(parts: Mapping[str, Any]) -> str:
+    """Knobs as a person reads them: ``photons 10 000, gather radius 6.84 mm``, which says that a disc gathers."""
+    named = sorted((name for name in parts if parts[name] != "photon_map"), key=lambda name: (name != "photons", name))
+    return ", ".join(_knob(name, parts[name]) for name in named)
+
+
+def _knob(name: str, value: Any) -> str:
+    words, scale, unit = UNITS.get(name, (name.replace("_", " "), 1.0, ""))
+    return f"{words} {_short(value * scale if scale != 1.0 else value)}{unit}"
+
+
+Setting = tuple[dict[str, Any], dict[str, Any]]
+"""Settings and wishes of one point of the matrix."""
+
+
+def matrix(scene: Scene, plan: Plan, usual_radius_m: float, extent: Extent) -> list[Knobs]:
+    """Every setting to try, each engine by itself; each setting once."""
+    found: dict[str, Knobs] = {}
+    for engine in ENGINES:
+        main = _main(plan, usual_radius_m, extent, engine)
+        tried = main + list(_around(_middle(main), scene, plan, extent, engine))
+        for (settings, wishes), seed in product(tried, range(1, 1 + SEEDS[extent])):
+            knobs = Knobs(engine, settings, wishes, seed)
+            found.setdefault(f"{engine} {seed} {knobs.label}", knobs)
+    return list(found.values())
+
+
+def _main(plan: Plan, radius_m: float, extent: Extent, engine: EngineName) -> list[Setting]:
+    """Photons and radius for a caustic, samples a pixel for anything else; cheap ones first."""
     if not plan.requires(Phenomenon.CAUSTIC):
-        yield from ({"samples": samples} for samples in SAMPLES[extent])
-        return
-    for photons, share in product(PHOTONS[extent][engine], RADII[extent]):
-        yield {"samples": 1, "photons": photons, "gather_radius_m": radius_m * share}
+        return [({"samples": samples}, {}) for samples in SAMPLES[extent]]
+    photons, radii = PHOTONS[extent][engine], RADII[extent]
+    usual: dict[str, Any] = {"samples": 1} | ({"solver": "photon_map"} if engine == "tracer" else {})
+    found: list[Setting] = [
+        ({**usual, "photons": n, "gather_radius_m": radius_m * share}, {}) for n, share in product(photons, radii)
+    ]
+    # The smallest disc is narrower than a pixel: give it pixels to match.
+    found += [({**usual, "photons": n, "gather_radius_m": radius_m * min(radii)}, _larger(2)) for n in photons]
+    if engine == "tracer":
+        bins = product(photons, SCALES[extent])
+        found += [({"samples": 1, "photons": n, "solver": "light_bins"}, _larger(scale)) for n, scale in bins]
+    return found
 
 
-def _transports(plan: Plan, extent: Extent) -> Iterator[dict[str, Any]]:
+def _larger(scale: int) -> dict[str, Any]:
+    return {"image_scale": scale} if scale != 1 else {}
+
+
+def _middle(main: list[Setting]) -> dict[str, Any]:
+    """The first setting of the middle photon count, or of the middle number of samples."""
+    work: list[int] = [settings.get("photons") or settings["samples"] for settings, _ in main]
+    steps = sorted(set(work))
+    return main[work.index(steps[(len(steps) - 1) // 2])][0]
+
+
+def _around(middle: dict[str, Any], scene: Scene, plan: Plan, extent: Extent, engine: EngineName) -> Iterator[Setting]:
+    """Every other knob that has a meaning here, turned by itself."""
+    own = scene.transport.model_dump()
+    if plan.requires(Phenomenon.CAUSTIC):
+        yield from (({**middle, "samples": samples}, {}) for samples in SAMPLES[extent])
     if plan.requires(Phenomenon.DISPERSION):
-        bands = BANDS[:2] if extent == "quick" else BANDS
-        yield from ({"bands": each} for each in bands)
-    elif not plan.chain.proven and plan.requires(Phenomenon.REFLECTION):
-        yield from ({"max_reflections": depth} for depth in DEPTHS)
-    else:
-        yield {}
+        yield from ((middle, {"bands": each}) for each in BANDS[extent] if each != own["bands"])
+    if not plan.chain.proven:
+        wish = "max_reflections" if plan.requires(Phenomenon.REFLECTION) else "max_transmissions"
+        yield from ((middle, {wish: depth}) for depth in DEPTHS if depth != own[wish])
+    if engine == "povray":
+        yield from (({**middle, "reference_mode": mode}, {}) for mode in _different_modes(scene, plan))
 
 
-def _seeds(plan: Plan, extent: Extent, engine: EngineName) -> range:
-    """POV-Ray has no seed; without a caustic nothing is random but the place of the samples."""
-    if engine == "povray" or not plan.requires(Phenomenon.CAUSTIC):
-        return range(1, 2)
-    return range(1, 1 + SEEDS[extent])
+def _different_modes(scene: Scene, plan: Plan) -> list[str]:
+    """The reference modes that do other work on this scene than the usual one, each work once."""
+    found: dict[tuple[int, bool], str] = {}
+    for name in ("auto", *MODES):
+        mode = mode_of(scene, plan, settings_for(scene, plan, "normal", reference_mode=name))
+        found.setdefault((len(mode.exposures), mode.is_sliced), name)
+    return [name for name in found.values() if name != "auto"]
 
 
 def _short(value: Any) -> str:
@@ -96,4 +151,4 @@ def _short(value: Any) -> str:
         return f"{value:,}".replace(",", "\u2009")
     if isinstance(value, dict):
         return " ".join(f"{name} {each}" for name, each in value.items())
-    return str(value)
+    return str(value).replace("_", " ")

@@ -12,7 +12,7 @@ from typing import Any
 from vitrail.engines.base import Rendering
 from vitrail.engines.povray import Povray
 from vitrail.engines.tracer import Tracer
-from vitrail.images.exr import read_image
+from vitrail.images.exr import ImageLayers, read_image
 from vitrail.judge.comparison import Pair
 from vitrail.judge.observe import Observed, observe
 from vitrail.judge.references import SceneTruth
@@ -22,34 +22,54 @@ from vitrail.lower.tracer import lower_tracer
 from vitrail.plan.analyse import analyse
 from vitrail.plan.budget import settings_for
 from vitrail.scene.load import Loaded
-from vitrail.scene.model import Transport
+from vitrail.scene.model import Scene, Transport
+from vitrail.study.task import TIMEOUT_S
+from vitrail.study.tradeoff.converged import Converged
 
 PAIRS = {"tracer": Pair.TRACER_TRUTH, "povray": Pair.POVRAY_TRUTH}
+NOT_RELATIVE = ("delta_e_2000", "peak_difference")
+"""Comparisons of two images that are no share of anything: a just visible difference of colour, a number of spots."""
 
 
 class Measure:
-    """Renders a scene at given knobs and holds it against its truth."""
+    """Renders a scene at given knobs and holds it against its truth, or against the converged rendering."""
 
-    def __init__(self, loaded: Loaded, truth: SceneTruth) -> None:
-        self._loaded, self._truth = loaded, truth
+    def __init__(self, loaded: Loaded, truth: SceneTruth, converged: Converged | None = None) -> None:
+        self._loaded, self._truth, self._converged = loaded, truth, converged
 
-    def __call__(self, spec: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, float]]:
+    def setting(self, spec: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, float]]:
         """``spec`` as made by ``study.tradeoff.run``; returns errors by observation and the cost."""
-        loaded = self._with_transport(spec["transport"])
+        loaded = self._with_wishes(spec["wishes"])
         with tempfile.TemporaryDirectory(prefix="vitrail-tradeoff-") as folder:
             rendering, radius_m = _rendered(spec, loaded, Path(folder))
             image = read_image(rendering.image_path)
-        pair = PAIRS[spec["engine"]]
-        observed = observe(loaded.scene, {spec["engine"]: image}, (pair,), self._truth, radius_m)
-        return {"errors": [error for entry in observed for error in _errors(entry)]}, _cost(rendering)
+        return {"errors": self._errors(loaded.scene, spec["engine"], image, radius_m)}, _cost(rendering)
 
-    def _with_transport(self, changes: Mapping[str, Any]) -> Loaded:
-        """The scene with some of its transport wishes replaced."""
-        if not changes:
+    def reference(self, spec: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, float]]:
+        """What the second of the converged renderings differs from the first: the reference's own error."""
+        assert self._converged is not None
+        radius_m = float(spec["settings"]["reference"]["gather_radius_m"])
+        return {"errors": self._errors(self._loaded.scene, "tracer", self._converged.image("second"), radius_m)}, {}
+
+    def _errors(self, scene: Scene, engine: str, image: ImageLayers, radius_m: float) -> list[dict[str, Any]]:
+        """The errors of one image of ``scene`` by observation and metric."""
+        if self._converged is None:
+            observed = observe(scene, {engine: image}, (PAIRS[engine],), self._truth, radius_m)
+        else:
+            images = {"candidate": image, "reference": self._converged.image("reference")}
+            observed = observe(scene, images, (Pair.CANDIDATE_REFERENCE,), SceneTruth(), radius_m)
+        return [error for entry in observed for error in _errors(entry)]
+
+    def _with_wishes(self, wishes: Mapping[str, Any]) -> Loaded:
+        """The scene with some of its wishes replaced."""
+        if not wishes:
             return self._loaded
-        scene = self._loaded.scene
+        scene, scale = self._loaded.scene, int(wishes.get("image_scale", 1))
+        changes = {name: value for name, value in wishes.items() if name != "image_scale"}
         transport = Transport.model_validate({**scene.transport.model_dump(), **changes})
-        return replace(self._loaded, scene=scene.model_copy(update={"transport": transport}))
+        size = {"width": scene.image.width * scale, "height": scene.image.height * scale}
+        image = scene.image.model_copy(update=size)
+        return replace(self._loaded, scene=scene.model_copy(update={"transport": transport, "image": image}))
 
 
 def _rendered(spec: Mapping[str, Any], loaded: Loaded, folder: Path) -> tuple[Rendering, float]:
@@ -58,10 +78,9 @@ def _rendered(spec: Mapping[str, Any], loaded: Loaded, folder: Path) -> tuple[Re
     settings = settings_for(loaded.scene, plan, "normal", **spec["settings"], seed=spec["seed"])
     if spec["engine"] == "tracer":
         lowered = lower_tracer(loaded.scene, plan, settings, loaded.path.parent.resolve())
-        return Tracer().render(lowered, folder, threads=1), settings.gather_radius_m
-    return Povray().render(lower_povray(loaded.scene, plan, settings, loaded), folder, threads=1), (
-        settings.gather_radius_m
-    )
+        return Tracer(timeout_s=TIMEOUT_S).render(lowered, folder, threads=1), settings.gather_radius_m
+    text = lower_povray(loaded.scene, plan, settings, loaded)
+    return Povray(timeout_s=TIMEOUT_S).render(text, folder, threads=1), settings.gather_radius_m
 
 
 def _cost(rendering: Rendering) -> dict[str, float]:
@@ -70,7 +89,7 @@ def _cost(rendering: Rendering) -> dict[str, float]:
     process = record.get("process", {})
     return {
         "cpu_s": float(process.get("cpu_s", record["cpu_s"]["total"])),
-        "peak_memory_bytes": float(process.get("peak_memory_bytes", record["peak_memory_bytes"])),
+        "peak_memory_bytes": float(max(process.get("peak_memory_bytes", 0), record["peak_memory_bytes"])),
     }
 
 
@@ -84,7 +103,7 @@ def _errors(observed: Observed) -> list[dict[str, Any]]:
             "standard_error": measured.noise.standard_error / _scale(measured, observed),
         }
         for measured in observed.measured
-        if math.isfinite(measured.value)
+        if math.isfinite(measured.value) and measured.metric not in NOT_RELATIVE
     ]
 
 

@@ -8,30 +8,44 @@ the noise that the half images show.
 from __future__ import annotations
 
 import json
+import math
 import tempfile
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+from scipy import stats
 
 from vitrail.engines.tracer import Tracer
 from vitrail.images.exr import ImageLayers, read_image
 from vitrail.lower.tracer import lower_tracer
 from vitrail.plan.analyse import analyse, everything
-from vitrail.plan.budget import settings_for
-from vitrail.plan.plan import Plan, Requirement
+from vitrail.plan.budget import Settings, settings_for
+from vitrail.plan.plan import Plan
 from vitrail.scene.load import Loaded
+from vitrail.scene.model import Scene
 from vitrail.scene.phenomenon import Phenomenon
 from vitrail.scene.print import scene_hash
-from vitrail.study.queue import Progress, run_tasks
-from vitrail.study.task import Row, Task
-from vitrail.study.task_log import TaskLog
+from vitrail.study.engine_build import engine_build
+from vitrail.study.queue import Progress, Work, run_tasks
+from vitrail.study.task import TIMEOUT_S, Row, Task
+from vitrail.study.task_log import TaskLog, read_rows
+from vitrail.study.tradeoff.removal import HOW, without
 
-REPEATS = 3
-"""The plan and everything on are held against each other in time, so each is the least of three runs: other work on
-the machine only ever adds to CPU seconds. The plans less one phenomenon are run once."""
+REPEATS = 5
+"""Runs of the plan and of everything on, in turns, so that other work on the machine slows both alike."""
+
+REPEATS_WITHOUT = 2
+"""Runs of the plan less one phenomenon."""
+
+PIXELS = 64 * 64
+PHOTONS = 50_000
+FINAL_GATHER_RAYS = 4
+"""Every scene is rendered so small that all of them take minutes; the wishes of the scene are kept."""
+
+SLOWER = 0.01
+"""Chance of calling one of all scenes slower with its plan when none is."""
 
 Variant = str
 EVERYTHING, PLANNED = "everything", "plan"
@@ -41,62 +55,76 @@ def run_plan_study(
     scenes: Sequence[Loaded],
     out: Path,
     *,
-    quality: str = "draft",
     jobs: int = 1,
     report: Callable[[Progress], None] = lambda progress: None,
 ) -> dict[str, Any]:
     """Measure what is missing in ``out``, write plans.json; returns its content."""
-    tasks = [task for loaded in scenes for task in _tasks(loaded, quality)]
+    tasks = [_task(loaded) for loaded in scenes]
     by_hash = {scene_hash(loaded.scene): loaded for loaded in scenes}
-    rows = run_tasks(
-        tasks, TaskLog(out), {"variants": lambda spec: _measure(by_hash[spec["scene"]], spec)}, jobs=jobs, report=report
-    )
-    found = {"vitrail_plans": 1, "scenes": [_scene_record(row) for row in rows]}
+    work: dict[str, Work] = {"variants": lambda spec: _measure(by_hash[spec["scene"]], spec)}
+    rows = run_tasks(tasks, TaskLog(out), work, jobs=jobs, report=report)
+    return _write(out, analyse_plans(rows))
+
+
+def analyse_plan_folder(out: Path) -> dict[str, Any]:
+    """Analyse the stored samples again, without rendering. Raises FileNotFoundError before the study has finished."""
+    return _write(out, analyse_plans(read_rows(out)))
+
+
+def _write(out: Path, found: dict[str, Any]) -> dict[str, Any]:
     (out / "plans.json").write_text(json.dumps(found, indent=1, sort_keys=True, allow_nan=False) + "\n")
     return found
 
 
-def _tasks(loaded: Loaded, quality: str) -> list[Task]:
+def _task(loaded: Loaded) -> Task:
     """One task a scene, because its variants are compared with each other."""
-    spec = {
-        "scene": scene_hash(loaded.scene),
-        "name": loaded.path.stem,
-        "quality": quality,
-        "version": Tracer().version(),
-    }
-    return [Task("variants", spec)]
+    limits = {"pixels": PIXELS, "photons": PHOTONS, "final_gather_rays": FINAL_GATHER_RAYS, "repeats": REPEATS}
+    spec = {"scene": scene_hash(loaded.scene), "name": loaded.path.stem, "build": engine_build("tracer"), **limits}
+    return Task("variants", spec)
 
 
-def without(plan: Plan, phenomenon: Phenomenon) -> Plan:
-    """The plan with one phenomenon taken out."""
-    gone = Requirement(False, ("taken out by the study",), "none")
-    return replace(plan, entries={**plan.entries, phenomenon: gone})
-
-
-def _measure(loaded: Loaded, spec: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, float]]:
+def _measure(loaded: Loaded, spec: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
     """Render every variant, and compare each with the plan's image."""
-    plan = analyse(loaded.scene)
+    scene = _small(loaded.scene, int(spec["pixels"]))
+    plan = analyse(scene)
+    settings = _settings(scene, plan, spec)
     required = [phenomenon for phenomenon in Phenomenon if plan.requires(phenomenon)]
-    variants: dict[Variant, Plan] = {PLANNED: plan, EVERYTHING: everything(loaded.scene)}
-    variants |= {phenomenon.value: without(plan, phenomenon) for phenomenon in required}
-    images, costs = {}, {}
-    for name, variant in variants.items():
-        repeats = REPEATS if name in (PLANNED, EVERYTHING) else 1
-        images[name], costs[f"{name}_cpu_s"] = _render(loaded, plan, variant, str(spec["quality"]), repeats)
+    images: dict[Variant, ImageLayers] = {}
+    costs: dict[str, list[float]] = {}
+    for _ in range(int(spec["repeats"])):
+        for name, variant in ((PLANNED, plan), (EVERYTHING, everything(scene))):
+            images[name], seconds = _render(loaded, scene, variant, settings)
+            costs.setdefault(name, []).append(seconds)
+    for phenomenon in required:
+        for _ in range(REPEATS_WITHOUT):
+            images[phenomenon.value], seconds = _render(loaded, *without(scene, plan, phenomenon), settings)
+            costs.setdefault(phenomenon.value, []).append(seconds)
     differences = {name: _difference(image, images[PLANNED]) for name, image in images.items() if name != PLANNED}
-    return {"required": [phenomenon.value for phenomenon in required], "differences": differences}, costs
+    return {"required": [phenomenon.value for phenomenon in required], "differences": differences}, {"cpu_s": costs}
 
 
-def _render(loaded: Loaded, plan: Plan, variant: Plan, quality: str, repeats: int) -> tuple[ImageLayers, float]:
-    """The settings are those of the plan in every variant: only the phenomena differ."""
-    settings = settings_for(loaded.scene, plan, quality)  # type: ignore[arg-type]
-    lowered = lower_tracer(loaded.scene, variant, settings, loaded.path.parent.resolve())
-    seconds = []
+def _small(scene: Scene, pixels: int) -> Scene:
+    """The scene with at most ``pixels`` pixels, of the same shape."""
+    width, height = scene.image.width, scene.image.height
+    shrink = min(1.0, math.sqrt(pixels / (width * height)))
+    size = {"width": max(1, round(width * shrink)), "height": max(1, round(height * shrink))}
+    return scene.model_copy(update={"image": scene.image.model_copy(update=size)})
+
+
+def _settings(scene: Scene, plan: Plan, spec: Mapping[str, Any]) -> Settings:
+    """Those of the plan in every variant: only the phenomena differ."""
+    settings = settings_for(scene, plan, "draft")
+    fewer = {"photons": min(settings.photons, int(spec["photons"]))}
+    if settings.final_gather_rays:
+        fewer["final_gather_rays"] = int(spec["final_gather_rays"])
+    return settings_for(scene, plan, "draft", **fewer)
+
+
+def _render(loaded: Loaded, scene: Scene, plan: Plan, settings: Settings) -> tuple[ImageLayers, float]:
+    lowered = lower_tracer(scene, plan, settings, loaded.path.parent.resolve())
     with tempfile.TemporaryDirectory(prefix="vitrail-plan-") as folder:
-        for _ in range(repeats):
-            rendering = Tracer().render(lowered, Path(folder), threads=1)
-            seconds.append(float(rendering.record["process"]["cpu_s"]))
-        return read_image(rendering.image_path), min(seconds)
+        rendering = Tracer(timeout_s=TIMEOUT_S).render(lowered, Path(folder), threads=1)
+        return read_image(rendering.image_path), float(rendering.record["process"]["cpu_s"])
 
 
 def _difference(image: ImageLayers, planned: ImageLayers) -> dict[str, Any]:
@@ -123,11 +151,40 @@ def _variance(image: ImageLayers) -> np.ndarray:
     return np.asarray(image.variance, float)
 
 
-def _scene_record(row: Row) -> dict[str, Any]:
-    cost = dict(row.cost)
+# --- analysis -------------------------------------------------------------------------------------------------------
+
+
+def analyse_plans(rows: Sequence[Row]) -> dict[str, Any]:
+    """The record of all scenes, from their rows alone."""
+    scenes = [_scene_record(row, len(rows)) for row in rows]
+    kept = [scene for scene in scenes if scene["failure"] is None]
+    total = {name: math.fsum(scene["cpu_s"][name] for scene in kept) for name in (EVERYTHING, PLANNED)}
+    summary = {
+        "scenes": len(scenes),
+        "same_bits": sum(scene["differences"][EVERYTHING]["same_bits"] for scene in kept),
+        "slower": [scene["name"] for scene in kept if scene["slower"]],
+        "cpu_s": total,
+    }
+    return {
+        "vitrail_plans": 2,
+        "scenes": scenes,
+        "summary": summary,
+        "removed": {phenomenon.value: words for phenomenon, words in HOW.items()},
+    }
+
+
+def _scene_record(row: Row, suite: int) -> dict[str, Any]:
+    runs: Mapping[str, Any] = row.cost.get("cpu_s", {})
     return {
         "name": row.spec["name"],
         "failure": row.failure,
-        "cpu_s": {name.removesuffix("_cpu_s"): seconds for name, seconds in cost.items()},
+        "cpu_s": {name: min(seconds) for name, seconds in runs.items()},
+        "runs_cpu_s": {name: runs[name] for name in (EVERYTHING, PLANNED) if name in runs},
+        "slower": bool(runs) and _is_slower(runs[PLANNED], runs[EVERYTHING], SLOWER / suite),
         **(row.result or {}),
     }
+
+
+def _is_slower(planned: Sequence[float], whole: Sequence[float], level: float) -> bool:
+    """Whether the plan took more CPU seconds than everything on, beyond the scatter of the runs (Welch's t test)."""
+    return bool(stats.ttest_ind(planned, whole, equal_var=False, alternative="greater").pvalue < level)

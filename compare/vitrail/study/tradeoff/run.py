@@ -3,27 +3,28 @@
 from __future__ import annotations
 
 import json
+import threading
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from vitrail.engines.povray import Povray
-from vitrail.engines.tracer import Tracer
 from vitrail.judge.references import read_scene_truth, references_folder
 from vitrail.plan.analyse import analyse
 from vitrail.plan.budget import USUAL_PHOTONS, settings_for
 from vitrail.scene.load import Loaded
 from vitrail.scene.print import scene_hash
+from vitrail.study.engine_build import engine_build
 from vitrail.study.queue import Progress, run_tasks
 from vitrail.study.task import Task
 from vitrail.study.task_log import TaskLog, read_rows
 from vitrail.study.tradeoff.analysis import analyse_rows
+from vitrail.study.tradeoff.converged import Converged
 from vitrail.study.tradeoff.knobs import Extent, matrix
 from vitrail.study.tradeoff.measure import Measure
 
 
-class NoTruth(Exception):
-    """The scene has no closed form to measure an error against."""
+class NothingObserved(Exception):
+    """The scene observes nothing, so there is no error to measure."""
 
 
 def run_tradeoff(
@@ -35,34 +36,53 @@ def run_tradeoff(
     references: Path | None = None,
     report: Callable[[Progress], None] = lambda progress: None,
 ) -> dict[str, Any]:
-    """Measure what is missing in ``out``, analyse, write tradeoff.json; returns its content. Raises NoTruth."""
-    truth = read_scene_truth(references_folder(loaded.path, references), loaded.path.stem, loaded.scene)
-    if not truth.truths:
-        raise NoTruth(f"{loaded.path}: references/analytic.yaml has no closed form for this scene; add one")
+    """Measure what is missing in ``out``, analyse, write tradeoff.json; returns its content. Raises NothingObserved."""
     tasks = tradeoff_tasks(loaded, extent)
-    run_tasks(tasks, TaskLog(out), {"setting": Measure(loaded, truth)}, jobs=jobs, report=report)
+    measure, converged = measure_of(loaded, out, extent, references)
+    if converged is not None:
+        # Two images are compared pixel by pixel: those of another size cannot be held against the converged one.
+        same_size = [task for task in tasks if "image_scale" not in task.spec["wishes"]]
+        tasks = [converged.task, *(_against(task, converged.task.key) for task in same_size)]
+    work = {"setting": measure.setting, "reference": measure.reference}
+    run_tasks(tasks, TaskLog(out), work, jobs=jobs, report=report)
     return analyse_folder(loaded, out)
 
 
+def measure_of(loaded: Loaded, out: Path, extent: Extent, references: Path | None) -> tuple[Measure, Converged | None]:
+    """How errors are measured on this scene: against its closed forms, else against a converged rendering."""
+    if not loaded.scene.observe:
+        raise NothingObserved(f"{loaded.path}: observes nothing; add an `observe` entry for what should be accurate")
+    truth = read_scene_truth(references_folder(loaded.path, references), loaded.path.stem, loaded.scene)
+    if truth.truths:
+        return Measure(loaded, truth), None
+    converged = Converged(loaded, extent, engine_build("tracer"), out / "reference", threading.Lock())
+    return Measure(loaded, truth, converged), converged
+
+
 def tradeoff_tasks(loaded: Loaded, extent: Extent) -> list[Task]:
-    """One task a setting and seed; engine versions are part of their keys."""
+    """One task a setting and seed; the builds of the engines are part of their keys."""
     plan = analyse(loaded.scene)
     usual = settings_for(loaded.scene, plan, "normal", photons=USUAL_PHOTONS)
-    versions = {"tracer": Tracer().version(), "povray": Povray().version()}
+    builds = {"tracer": engine_build("tracer"), "povray": engine_build("povray")}
     return [
         Task(
             "setting",
             {
                 "scene": scene_hash(loaded.scene),
                 "engine": knobs.engine,
-                "version": versions[knobs.engine],
+                "build": builds[knobs.engine],
                 "settings": dict(knobs.settings),
-                "transport": dict(knobs.transport),
+                "wishes": dict(knobs.wishes),
                 "seed": knobs.seed,
             },
         )
-        for knobs in matrix(plan, usual.gather_radius_m, extent)
+        for knobs in matrix(loaded.scene, plan, usual.gather_radius_m, extent)
     ]
+
+
+def _against(task: Task, reference: str) -> Task:
+    """The same task, held against the converged rendering of that key."""
+    return Task(task.kind, {**task.spec, "reference": reference})
 
 
 def analyse_folder(loaded: Loaded, out: Path) -> dict[str, Any]:

@@ -1,0 +1,82 @@
+"""Where no formula knows a scene, a converged rendering by the tracer stands for the truth; its own error is stated.
+
+Two renderings are made that share nothing but the scene: another seed, and half the gather radius, so that noise and
+the blur of the disc both part them. The first is the reference; what the second differs from it, measured like any
+setting, is the reference's own error. No price below that error can be stated.
+"""
+
+from __future__ import annotations
+
+import os
+import tempfile
+import threading
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from vitrail.engines.tracer import Tracer
+from vitrail.images.exr import ImageLayers, read_image
+from vitrail.lower.tracer import lower_tracer
+from vitrail.plan.analyse import analyse
+from vitrail.plan.budget import Settings, settings_for
+from vitrail.scene.load import Loaded
+from vitrail.scene.print import scene_hash
+from vitrail.study.task import Task
+from vitrail.study.tradeoff.knobs import Extent
+
+SAMPLES: Mapping[Extent, int] = {"quick": 16, "normal": 64, "wide": 256}
+PHOTONS: Mapping[Extent, int] = {"quick": 2_000_000, "normal": 10_000_000, "wide": 40_000_000}
+RADII = {"reference": 0.5, "second": 0.25}
+"""Gather radius of both renderings over the one the budget would choose for their photons."""
+
+
+@dataclass(frozen=True)
+class Converged:
+    """The two renderings of one scene at one extent, kept in ``folder`` and made when they are first asked for."""
+
+    loaded: Loaded
+    extent: Extent
+    build: str
+    folder: Path
+    lock: threading.Lock
+
+    @property
+    def task(self) -> Task:
+        """The task that measures the reference's own error; its key names the reference."""
+        spec = {"scene": scene_hash(self.loaded.scene), "build": self.build, "settings": self._settings_record()}
+        return Task("reference", {"engine": "tracer", **spec})
+
+    def _settings_record(self) -> dict[str, Any]:
+        """What decides the two images, for the key and for a reader."""
+        return {
+            name: {"samples": each.samples, "photons": each.photons, "gather_radius_m": each.gather_radius_m}
+            for name, each in ((name, self._settings(name)) for name in RADII)
+        }
+
+    def image(self, which: str) -> ImageLayers:
+        """``reference`` or ``second``; rendered once, whoever asks first, and kept under the key of the task."""
+        kept = self.folder / f"{self.task.key}.{which}.exr"
+        with self.lock:
+            if not kept.is_file():
+                self._render(self._settings(which), kept)
+            return read_image(kept)
+
+    def _settings(self, which: str) -> Settings:
+        plan = analyse(self.loaded.scene)
+        work = {"samples": SAMPLES[self.extent], "seed": 1001 if which == "reference" else 1002}
+        usual = settings_for(self.loaded.scene, plan, "reference", **work)
+        if usual.photons == 0:
+            return usual
+        work["photons"] = PHOTONS[self.extent]
+        usual = settings_for(self.loaded.scene, plan, "reference", **work)
+        return settings_for(
+            self.loaded.scene, plan, "reference", **work, gather_radius_m=usual.gather_radius_m * RADII[which]
+        )
+
+    def _render(self, settings: Settings, kept: Path) -> None:
+        scene = self.loaded.scene
+        lowered = lower_tracer(scene, analyse(scene), settings, self.loaded.path.parent.resolve())
+        self.folder.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryDirectory(dir=self.folder, prefix=".rendering-") as work:
+            os.replace(Tracer().render(lowered, Path(work)).image_path, kept)
