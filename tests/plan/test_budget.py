@@ -72,10 +72,10 @@ def test_a_fine_caustic_gets_the_samples_that_resolve_it() -> None:
     """A pixel of this camera covers 8 * 2 tan(20 deg) / 64 = 91 mm, and a sample 1.5 gather radii."""
     scene = load_text(ball_lens(1.0, observe=True)).scene
     plan = analyse(scene)
-    coarse, fine = (settings_for(scene, plan, "normal", gather_radius_m=radius) for radius in (0.05, 0.01))
+    coarse, fine = (settings_for(scene, plan, "normal", gather_radius_m=radius) for radius in (0.05, 0.012))
     assert coarse.samples == 4, "the radius is seen by the samples of the quality"
-    assert fine.samples == math.ceil((8 * 2 * math.tan(math.radians(20)) / 64 / 0.015) ** 2) == 37
-    assert settings_for(scene, plan, "normal", gather_radius_m=0.001).samples == 64, "there is a limit"
+    assert fine.samples == math.ceil((8 * 2 * math.tan(math.radians(20)) / 64 / 0.018) ** 2) == 26
+    assert settings_for(scene, plan, "normal", gather_radius_m=0.001).samples == 32, "there is a limit"
     assert settings_for(scene, plan, "draft", gather_radius_m=0.01).samples == 1, "a draft is a draft"
     assert settings_for(scene, plan, "normal", gather_radius_m=0.01, samples=2).samples == 2
 

@@ -17,7 +17,7 @@ from vitrail.scene.view import sight
 SPACING = 1.5
 """Gather radii between two samples at most: the disc of every photon, two radii wide, then holds one."""
 
-MOST = 64
+MOST = 32
 """Samples a pixel at most; a spot that asks for more is smaller than a picture of this size can show."""
 
 
