@@ -82,7 +82,7 @@ PLATES = (
         (
             "from ball to ball: the squares behind the glass dissolve",
             "from figure to figure: the same blur with less grain",
-            "POV-Ray's rough glass is an average over bumped faces, which stands for the rays of the tracer",
+            "POV-Ray's rough glass is an average over bumped faces, with no rays to count: its figures 6 and 7 are one",
         ),
     ),
     Plate(
@@ -93,7 +93,7 @@ PLATES = (
         "An apex of 60° and a beam at 55° to the face, which the paper does not print.",
         (
             "four bands on the screen, red, yellow, green, blue from the least turned to the most",
-            "where bands overlap the colours mix to white and cyan; the beam is wide, so all bands touch",
+            "the beam is so wide that the bands overlap, and there their colours mix",
         ),
     ),
 )
