@@ -47,7 +47,7 @@ def test_one_command_measures_analyses_and_resumes(program, tmp_path: Path) -> N
 def test_without_a_closed_form_the_reference_states_its_own_error(program, tmp_path: Path) -> None:
     lonely = tmp_path / "lonely.yaml"
     lonely.write_text(
-        (SCENES / "penumbra.yaml").read_text().replace("width: 120, height: 120", "width: 40, height: 40")
+        (SCENES / "penumbra.yaml").read_text().replace("width: 120, height: 120", "width: 24, height: 24")
     )
     out = tmp_path / "out"
     arguments = [str(lonely), "--out", str(out), "--extent", "quick"]
