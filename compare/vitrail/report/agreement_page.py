@@ -51,8 +51,8 @@ def count_line(found: Mapping[str, Any]) -> str:
 
 def _summary_table(entries: Iterable[Mapping[str, Any]]) -> list[str]:
     lines = [
-        "| phenomenon | number | scenes | largest difference | interval | certificate | where | agree/open/deviate |",
-        "|---|---|---|---|---|---|---|---|",
+        "| phenomenon | number | rows | median | largest | its interval | certificate | where | agree/open/deviate |",
+        "|---|---|---|---|---|---|---|---|---|",
     ]
     for entry in entries:
         row, verdicts = entry["largest"], entry["verdicts"]
@@ -61,6 +61,7 @@ def _summary_table(entries: Iterable[Mapping[str, Any]]) -> list[str]:
             _words(entry["phenomenon"]),
             _metric(row | {"part": ""}),
             str(entry["rows"]),
+            _short(entry["median"]),
             *_sizes(row),
             _place(row),
             counted,

@@ -11,6 +11,7 @@ import json
 from collections.abc import Iterable, Sequence
 from itertools import groupby
 from pathlib import Path
+from statistics import median
 from typing import Any
 
 from vitrail.judge.comparison import Comparison, ObservationResult, Pair, Verdict
@@ -98,12 +99,13 @@ def _grouped(rows: Iterable[dict[str, Any]]) -> Iterable[list[dict[str, Any]]]:
 
 
 def _summary(group: list[dict[str, Any]]) -> dict[str, Any]:
-    """One number over all scenes: how often each verdict fell, and the row whose difference is largest."""
+    """One number over all scenes: how often each verdict fell, the middle of its differences, and the largest."""
     largest = max(group, key=lambda row: abs(row["difference"]))
     return {
         **{key: group[0][key] for key in ("phenomenon", "pair", "metric", "unit")},
         "rows": len(group),
         "verdicts": {verdict.value: sum(row["verdict"] == verdict.value for row in group) for verdict in WORST_LAST},
         "beyond": sum(row["beyond"] > 0 for row in group),
+        "median": median(abs(row["difference"]) for row in group),
         "largest": largest,
     }
