@@ -7,14 +7,23 @@ from functools import cache
 from pathlib import Path
 from typing import Literal
 
+from vitrail.engines.base import Engine
 from vitrail.engines.povray import Povray
 from vitrail.engines.tracer import Tracer
 
 
 def engine_build(engine: Literal["tracer", "povray"]) -> str:
-    """Such as ``vitrail-tracer 0.1.0 (3f2a9c81d0e4)``: while it is being worked on, the version says too little."""
-    found: Tracer | Povray = Tracer() if engine == "tracer" else Povray()
-    return f"{found.version()} ({_fingerprint(Path(found.program))})"
+    """The build of the installed engine, such as ``vitrail-tracer 0.1.0 (3f2a9c81d0e4)``."""
+    return build_of(Tracer() if engine == "tracer" else Povray())
+
+
+def build_of(engine: Engine) -> str:
+    """An engine's version and fingerprint: while a program is being worked on, the version says too little.
+
+    An engine that is no program of its own is known by its version alone.
+    """
+    program = getattr(engine, "program", None)
+    return engine.version() if program is None else f"{engine.version()} ({_fingerprint(Path(program))})"
 
 
 def _fingerprint(program: Path) -> str:

@@ -20,6 +20,7 @@ from vitrail.plan.plan import Plan
 from vitrail.scene.load import Loaded
 from vitrail.scene.print import scene_hash
 from vitrail.study.compare.request import Request
+from vitrail.study.engine_build import build_of
 
 
 @dataclass(frozen=True)
@@ -56,12 +57,12 @@ def render_both(lowered: Lowered, place: Path, request: Request, progress: Progr
     return made
 
 
-def tracer_key(version: str, lowered: dict[str, Any]) -> str:
+def tracer_key(build: str, lowered: dict[str, Any]) -> str:
     """The content that decides the tracer's image: its input, and the meshes and images that the input names."""
-    return content_key("tracer", version, [canonical_json(lowered)], named_files(lowered))
+    return content_key("tracer", build, [canonical_json(lowered)], named_files(lowered))
 
 
-def povray_key(version: str, lowered: PovrayScene | None) -> str:
+def povray_key(build: str, lowered: PovrayScene | None) -> str:
     """The content that decides POV-Ray's image: the texts of its runs, and how their images are added up.
 
     The scene's hash is in it too, because the image carries it: two scenes may have one text.
@@ -71,7 +72,7 @@ def povray_key(version: str, lowered: PovrayScene | None) -> str:
     sums = [f"{run.name} {run.half} {run.width} {run.height} {run.samples_across} {run.gain}" for run in lowered.runs]
     return content_key(
         "povray",
-        version,
+        build,
         [
             lowered.scene_hash,
             *sums,
@@ -92,7 +93,7 @@ def _render(
     """One image, from the cache where its content is known; its files are linked into the scene's folder."""
     engine = request.engines[side]
     made = Cache(request.cache).rendered(
-        key(engine.version(), lowered),
+        key(build_of(engine), lowered),
         lambda work: engine.render(lowered, work, threads=request.threads, progress=progress),
     )
     place.mkdir(parents=True, exist_ok=True)
