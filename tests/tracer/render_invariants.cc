@@ -126,6 +126,17 @@ TEST(Image, WithOneSampleHasEqualHalvesBesidesPhotons) {
   }
 }
 
+/// Where lots are drawn, each half draws its own, or the noise of one sample would not show.
+TEST(Image, WithOneSampleOfALargeLampHasTwoHalves) {
+  Scene scene = mixed_scene();
+  scene.settings.samples = 1;
+  scene.lights.push_back({"lamp", AreaLight{DiscShape{{0, 6, 0}, {0, -1, 0}, 2}, false, {1, 1, 1}, {}}});
+  const Film film = rendered(scene).film;
+  int different = 0;
+  for (int x = 0; x < film.width(); ++x) different += film.at(0, x, 25).layers[0].r != film.at(1, x, 25).layers[0].r;
+  EXPECT_GT(different, film.width() / 2);
+}
+
 TEST(Image, OfNoObjectsIsBlack) {
   Scene scene = mixed_scene();
   scene.objects.clear();

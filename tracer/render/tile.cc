@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/cpu_clock.h"
+#include "light/light.h"
 #include "render/camera.h"
 
 namespace vitrail {
@@ -22,7 +23,14 @@ struct PixelSampler {
   explicit PixelSampler(const Scene& scene)
       : per_half(std::max(1, (scene.settings.samples + 1) / 2)),
         centred(scene.settings.samples <= 1),
-        shared(centred && scene.transport.indirect != Indirect::photons) {}
+        shared(centred && !draws_lots(scene)) {}
+
+  // Whether a look through one place may see two things: by a rough face, by lamps with an extent, or by looks around.
+  static bool draws_lots(const Scene& scene) {
+    const bool extended =
+        std::any_of(scene.lights.begin(), scene.lights.end(), [](const Light& light) { return !is_sharp(light); });
+    return extended || scene.plan.roughness || scene.transport.indirect == Indirect::photons;
+  }
 
   std::array<double, 2> at(std::uint64_t seed, std::uint64_t pixel, int half, int sample) const {
     if (centred) return {0.5, 0.5};
