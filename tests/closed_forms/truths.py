@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from mpmath import mpf, pi
 
-from tests.closed_forms import area_lights, ball_lens, beer, cards, prisms, rough, slabs
+from tests.closed_forms import area_lights, ball_lens, beer, cards, conformance, prisms, rough, slabs
 from tests.closed_forms.shadows import Penumbra
 
 CROWN = mpf("1.5")
@@ -36,6 +36,10 @@ def _card(diffuse: str) -> Computed:
 
 def _lamp(diffuse: str) -> Computed:
     return lambda: cards.lamplit_mean(diffuse, 10, 2, mpf("0.5"))
+
+
+def _floor(x: str, z: str, half_edge: str) -> Computed:
+    return lambda: conformance.floor_under_sun_and_lamp(x, z, half_edge)
 
 
 def _pane(share: str) -> Computed:
@@ -99,6 +103,17 @@ SCENES: dict[tuple[str, str, str], Computed] = {
         for panel, colours in PANELS.items()
         for channel, emission in zip(CHANNELS, colours, strict=True)
     },
+    **{
+        ("colour", panel, f"mean_radiance.{channel}"): lambda emission=emission: mpf(emission)
+        for panel, colours in conformance.GLOWING.items()
+        for channel, emission in zip(CHANNELS, colours, strict=True)
+    },
+    **_coloured(
+        "colour", "card", "mean_radiance", tuple(lambda k=k: conformance.card_in_coloured_light(k) for k in range(3))
+    ),
+    **_coloured("units", "by_sun", "mean_radiance", (_floor("-0.9", "-0.4", "0.2"),) * 3),
+    **_coloured("units", "below_lamp", "mean_radiance", (_floor("0.7", "0.4", "0.15"),) * 3),
+    **_coloured("units", "beside_lamp", "mean_radiance", (_floor("0", "0.4", "0.15"),) * 3),
     **_coloured("grey_card_directional", "card", "mean_radiance", tuple(_card(d) for d in GREY)),
     ("grey_card_directional", "card", "tilt.u"): lambda: mpf(0),
     ("grey_card_directional", "card", "tilt.v"): lambda: mpf(0),
