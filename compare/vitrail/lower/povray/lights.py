@@ -52,7 +52,8 @@ class Source:
     """One POV-Ray light: at ``position`` (units), or parallel along ``direction``.
 
     ``strength`` is what its photons carry: E / pi, or I / pi in units, along the axis of a cone. ``aperture`` is the
-    text of the shape that parallel light must pass. ``light`` is the index of the scene's light it belongs to.
+    text of the shape that parallel light must pass. ``light`` is the index of the scene's light it belongs to, and
+    ``aside`` how far it stands from where that has it, units.
     """
 
     light: int
@@ -63,6 +64,7 @@ class Source:
     cone: Cone | None = None
     aperture: str = ""
     aperture_area: float = math.inf
+    aside: float = 0.0
 
 
 def sources(scene: Scene, units: Normalisation, grid: Grid, refusals: Refusals) -> tuple[Source, ...]:

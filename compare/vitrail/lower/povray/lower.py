@@ -26,7 +26,8 @@ from vitrail.lower.povray.modes import Mode, mode_of
 from vitrail.lower.povray.nesting import nesting_of
 from vitrail.lower.povray.normalise import Normalisation, normalise
 from vitrail.lower.povray.objects import ObjectText
-from vitrail.lower.povray.photons import PhotonPass, photon_pass
+from vitrail.lower.povray.off_centre import off_centre
+from vitrail.lower.povray.photons import PhotonPass, photon_pass, photon_targets
 from vitrail.lower.povray.refusal import Refusals
 from vitrail.lower.povray.residuals import Translation, certificate_of
 from vitrail.lower.povray.scene_text import SceneText
@@ -99,11 +100,12 @@ def lower_povray(scene: Scene, plan: Plan, settings: Settings, loaded: Loaded | 
     mode = mode_of(scene, plan, settings)
     indices = Indices(scene, mode.bands, mode.is_sliced)
     grid = Grid(EMITTERS[settings.quality], settings.seed)
+    targets = photon_targets(scene, plan, meshes, units, refusals)
     lights = {
-        "a": sources(scene, units, grid, refusals),
-        "b": sources(scene, units, replace(grid, is_mirrored=True), refusals),
+        half: off_centre(sources(scene, units, replace(grid, is_mirrored=other), refusals), targets, other)
+        for half, other in (("a", False), ("b", True))
     }
-    photons = photon_pass(scene, plan, settings, lights["a"], len(mode.bands), meshes, units, refusals)
+    photons = photon_pass(scene, plan, settings, lights["a"], len(mode.bands), targets, units, refusals)
     depth, placement = trace_depth(plan, settings.quality), with_gaps(scene, units, joined.contacts)
     nesting = nesting_of(scene, units, joined.pairs)
     objects = ObjectText(scene, plan, units, photons is not None, indices, meshes, nesting, joined.under)

@@ -42,6 +42,7 @@ def photon_entries(
         "the estimate blurs by the gather radius; between the engines the blur is the same",
     )
     yield from _curved_receivers(scene, units, photons)
+    yield from _moved_lamps(units, lights)
     yield Entry(
         caustic,
         "kernel",
@@ -63,6 +64,20 @@ def _curved_receivers(scene: Scene, units: Normalisation, photons: PhotonPass) -
             lost_share(photons.gather_radius, units.length(radius_m)),
             RELATIVE,
             "POV-Ray stretches distances along the normal, by an absolute factor; a smaller gather radius lowers this",
+        )
+
+
+def _moved_lamps(units: Normalisation, lights: Sequence[Source]) -> Iterator[Entry]:
+    for index in sorted({source.light for source in lights if source.aside > 0}):
+        aside = max(source.aside for source in lights if source.light == index) / units.scale
+        yield Entry(
+            Phenomenon.CAUSTIC,
+            f"L{index + 1}",
+            "a lamp in the middle of glass",
+            f"a lamp {aside:.3g} m beside it, on the other side in the second half image",
+            aside,
+            "m",
+            "POV-Ray divides the distance of photons by that of the lamp from the middle of their target",
         )
 
 

@@ -82,7 +82,7 @@ def photon_pass(
     settings: Settings,
     lights: Sequence[Source],
     bands: int,
-    meshes: Meshes,
+    balls: tuple[Ball, ...],
     units: Normalisation,
     refusals: Refusals,
 ) -> PhotonPass | None:
@@ -92,7 +92,6 @@ def photon_pass(
     if settings.photons == 0:
         what = "the scene has a caustic, and without photons POV-Ray lets light straight through glass"
         raise NotTranslatable([refusals.at(what, "ask for some photons, for example `photons=100000`", "lights")])
-    balls = _targets(scene, meshes, units, refusals)
     # Share the photons of the settings between the two halves and all bands; count those that may leave their light.
     runs = (1 + 1 / SECOND_FLUX) * bands
     useful = sum(_useful_area(source, ball) for source in lights for ball in balls)
@@ -107,8 +106,12 @@ def photon_pass(
     )
 
 
-def _targets(scene: Scene, meshes: Meshes, units: Normalisation, refusals: Refusals) -> tuple[Ball, ...]:
-    """A ball for each specular object; an infinite one is refused."""
+def photon_targets(
+    scene: Scene, plan: Plan, meshes: Meshes, units: Normalisation, refusals: Refusals
+) -> tuple[Ball, ...]:
+    """A ball for each specular object, none without a caustic; an infinite one is refused."""
+    if not plan.requires(Phenomenon.CAUSTIC):
+        return ()
     balls, refused = [], []
     for index, item in enumerate(scene.objects):
         if not scene.material_of(item).is_specular:
@@ -157,8 +160,8 @@ def photon_flux(source: Source, ball: Ball, spacing: float, strength: float) -> 
     """Flux of one photon as it leaves a light of ``strength`` (E / pi or I / pi), in POV-Ray's colour times units^2."""
     if source.direction is not None:
         return strength * spacing**2
-    # A lamp inside the ball counts as one at its radius [P 2.1].
-    return strength * (spacing / max(length(subtract(ball.centre, source.position)), ball.radius)) ** 2
+    # From inside the ball too, photons are ``spacing`` apart at the distance of its middle [P 2.1].
+    return strength * (spacing / length(subtract(ball.centre, source.position))) ** 2
 
 
 def has_exact_flux(scene: Scene, lights: Sequence[Source], photons: PhotonPass) -> bool:
