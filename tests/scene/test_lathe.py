@@ -46,6 +46,23 @@ def test_a_mesh_is_closed_and_faces_outwards(name: str) -> None:
     assert volume(vertices, faces) > 0
 
 
+@pytest.mark.parametrize("name", SHIPPED)
+def test_a_profile_does_not_cross_itself(name: str) -> None:
+    """Where it does, the inside of a wall lies outside: light is then caught in a face, and the rim is black."""
+    points = profile(name)
+    starts, ways = points[:-1], np.diff(points, axis=0)
+
+    def side(k: int, at: np.ndarray) -> np.ndarray:
+        """On which side of segment k points lie, seen along it."""
+        away = at - starts[k]
+        return np.sign(ways[k, 0] * away[:, 1] - ways[k, 1] * away[:, 0])
+
+    sides = np.array([side(k, points) for k in range(len(starts))])
+    parts = sides[:, :-1] * sides[:, 1:] < 0
+    crossing = [(i, j) for i, j in np.argwhere(parts & parts.T) if abs(i - j) > 1]
+    assert crossing == []
+
+
 def test_the_volume_is_that_of_the_turned_profile() -> None:
     """Pappus: 2 pi times the area's moment about the axis; 72 corners of a circle have sin(x) / x of its area."""
     r, y = profile().T
