@@ -72,3 +72,18 @@ def test_a_narrow_screen_shows_one_image_above_the_other(watched: Watched, repor
     assert page.locator("#probe").inner_text().startswith(f"pixel {WIDTH - 1},")
     assert all(value > 0 for value in shown_radiance(page, "povray"))
     watched.check()
+
+
+def test_where_a_deviation_lives_is_said_with_what_was_switched_off(watched: Watched, report: Path) -> None:
+    page = open_scene(watched, report)
+    section = page.locator("#observe-ring")
+    assert "where: in caustic: it goes when bodies that mirror or refract are black" in section.inner_text()
+    section.get_by_text("What was switched off").click()
+    rows = section.locator("details.where tbody tr").all_inner_texts()
+    assert [row.split("\t")[0] for row in rows] == ["caustic", "refraction", "caustic"]
+    assert "goes" in rows[0] and "0.3" in rows[0] and "−0.001 … 0.005" in rows[0]
+    assert "not rendered: about 9 CPU s each" in rows[1]
+    assert "50\u202f%" in rows[2] and "46\u202f% of itself" in rows[2]
+    watched.check()
+    page.goto((report / "alike" / "index.html").as_uri())
+    assert page.locator("details.where").count() == 0, "engines that agree have nothing to look for"

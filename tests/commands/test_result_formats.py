@@ -27,6 +27,7 @@ def test_github_gets_an_annotation_at_the_line_of_each_observation_that_does_not
     ]
     assert all("\n" not in line for line in found), "a line break would end the command"
     assert "%0Aagain: vitrail compare scenes/apart.yaml" in found[0]
+    assert "%0Awhere: in caustic: it goes when" in found[0]
 
 
 def test_the_job_summary_has_a_row_a_scene(results: Results) -> None:

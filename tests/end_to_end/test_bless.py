@@ -63,11 +63,12 @@ def test_a_recipe_that_gives_other_pixels_needs_a_new_reason(project: Path) -> N
 def test_decisions_of_a_reader_are_applied(project: Path) -> None:
     scene, out = project / "card.yaml", project / "out"
     assert vitrail("compare", scene, "--against", "truth", "--out", out, "--quality", "draft").returncode in (0, 5)
+    (image,) = json.loads((out / "results.json").read_text())["scenes"][0]["images"]
     decisions = {
         "vitrail_decisions": 1,
         "folder": str(out),
         "run": "",
-        "decisions": [{"scene": "card", "decision": "accept", "because": "looked at it", "scene_hash": ""}],
+        "decisions": [{"scene": "card", "decision": "accept", "because": "looked at it", "content": image["content"]}],
     }
     path = project / "decisions.json"
     path.write_text(json.dumps(decisions))

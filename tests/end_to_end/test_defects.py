@@ -41,6 +41,9 @@ def test_the_right_phenomenon_turns_red(compared: Compare, defect: str, scene: s
     observation = next(o for o in results.scenes[0].observations if o.verdict is Verdict.DEVIATES)
     if any(entry.pair.reference == "truth" for entry in observation.comparisons):
         assert observation.attribution is not None and observation.attribution.engine == "povray"
+    # The scene with one thing after the other switched off says the same, without knowing any formula.
+    assert observation.where is not None and observation.where.suspects == (phenomenon,), observation.where
+    assert all(entry.reason or entry.interval for entry in observation.where.ablations)
 
 
 @pytest.mark.parametrize("scene", ["grey_card_directional", "beer_slab"])
@@ -51,7 +54,7 @@ def test_without_the_defect_the_scene_is_not_red(compared: Compare, scene: str) 
 def test_a_lost_caustic_is_red_while_the_whole_image_still_looks_alike(compared: Compare) -> None:
     """Structural similarity above 0.95 for a picture whose caustic is gone: why there are metrics for phenomena."""
     path = Path(__file__).parent / "lost_caustic.yaml"
-    results = compared(path, defect=DEFECTS["photon_overflow"])
+    results = compared(path, defect=DEFECTS["photon_overflow"], budget_s=0)
     (scene,) = results.scenes
     ssim = next(metric.value for metric in scene.global_metrics if metric.metric == "ssim")
     assert ssim > 0.95
@@ -60,3 +63,7 @@ def test_a_lost_caustic_is_red_while_the_whole_image_still_looks_alike(compared:
     flux = next(e for e in scene.observations[0].comparisons if e.metric == "flux_ratio.red")
     # The tracer has all of the caustic and POV-Ray next to nothing.
     assert flux.value > 10
+    # Nothing was left to pay for ablations: what is not known is said, with its price.
+    where = scene.observations[0].where
+    assert where is not None and Phenomenon.CAUSTIC in where.suspects
+    assert "not tried" in where.reason and "--budget-s" in where.reason

@@ -9,15 +9,20 @@ import numpy as np
 from vitrail.images.display import Display
 from vitrail.images.exr import write_image, write_png
 from vitrail.judge.comparison import (
+    AblationEntry,
     Attribution,
     Cause,
     Comparison,
     Curve,
+    Interval,
+    LayerShare,
     ObservationResult,
+    Outcome,
     Pair,
     PatchRecord,
     Profile,
     TolerancePart,
+    Whereabouts,
 )
 from vitrail.judge.exit_code import of_run, of_scene
 from vitrail.judge.false_alarms import sidak
@@ -89,7 +94,25 @@ def observation(flux: float, error: float) -> ObservationResult:
         profiles=(profile,),
         verdict=verdict or comparisons[0].verdict,
         attribution=cause if verdict == "deviates" else None,
+        where=whereabouts(flux) if verdict == "deviates" else None,
     )
+
+
+def whereabouts(flux: float) -> Whereabouts:
+    """One thing whose absence mends the flux, and one that was too dear."""
+    gone = AblationEntry(
+        off="caustic", words="bodies that mirror or refract are black", outcome=Outcome.GOES, metric="flux_ratio.red",
+        unit="1", before=flux - 1, after=0.002, interval=Interval(low=-0.001, high=0.005, level=0.9998, method="exact"),
+        absent=(Phenomenon.CAUSTIC,), touched=(Phenomenon.CAUSTIC,),
+    )  # fmt: skip
+    dear = AblationEntry(
+        off="refraction", words="glass has index 1 and bends nothing", outcome=Outcome.NOT_RENDERED,
+        reason="about 9 CPU s each, and 2 are left; --budget-s bounds it",
+        absent=(Phenomenon.REFRACTION,), touched=(Phenomenon.REFRACTION,),
+    )  # fmt: skip
+    layers = (LayerShare(layer=Phenomenon.CAUSTIC, channel="red", share=0.5, needed=0.46),)
+    reason = "in caustic: it goes when bodies that mirror or refract are black"
+    return Whereabouts(suspects=(Phenomenon.CAUSTIC,), reason=reason, ablations=(gone, dear), layers=layers)
 
 
 def scene(folder: Path, name: str, title: str, flux: float, error: float) -> SceneResult:
@@ -101,7 +124,7 @@ def scene(folder: Path, name: str, title: str, flux: float, error: float) -> Sce
         radiance = picture(brightness, seed)
         write_image(place / f"{side}.exr", radiance, layers={"caustic": radiance * 0.5} if side == "tracer" else None)
         write_png(place / f"{side}.png", Display().apply(radiance))
-        images.append(ImageFiles(side=side, exr=f"{name}/{side}.exr", png=f"{name}/{side}.png"))
+        images.append(ImageFiles(side=side, exr=f"{name}/{side}.exr", png=f"{name}/{side}.png", content=f"{seed:064d}"))
     error_map = np.abs(picture(flux, 0) - picture(1.0, 1))
     write_image(place / "error.exr", error_map)
     observed = observation(flux, error)

@@ -98,21 +98,23 @@ def _taken(source: Path, because: str, references: Path | None) -> Iterator[Prop
     from vitrail.study.compare.accept import decisions_of, propose_from_run
 
     if source.is_dir():
-        run, reasons = source, None
+        run, accepted = source, None
     else:
         decisions = decisions_of(source)
-        reasons = {each["scene"]: each["because"] or because for each in decisions if each["decision"] == "accept"}
+        accepted = {each["scene"]: each for each in decisions if each["decision"] == "accept"}
         run = _run_of(source)
     for scene in _scenes_of(run):
-        if reasons is None and scene["verdict"] != "agrees":
+        if accepted is None and scene["verdict"] != "agrees":
             ending = scene["verdict"] or scene["status"]
             typer.echo(f"{scene['source']}: left out, because it ended as {ending}; decide on it in the report")
             continue
-        if reasons is not None and scene["name"] not in reasons:
+        if accepted is not None and scene["name"] not in accepted:
             continue
         loaded = read_scene(Path(scene["source"]))
-        reason = because if reasons is None else reasons[scene["name"]]
-        yield propose_from_run(loaded, references_folder(loaded.path, references), reason, run, scene)
+        decision = {} if accepted is None else accepted[scene["name"]]
+        reason = decision.get("because") or because
+        folder = references_folder(loaded.path, references)
+        yield propose_from_run(loaded, folder, reason, run, scene, decision.get("content"))
 
 
 def _run_of(decisions: Path) -> Path:

@@ -24,6 +24,11 @@ def finding(observation: ObservationResult, comparison: Comparison) -> str:
     return text + because + _remedy(comparison.sample_factor)
 
 
+def where(observation: ObservationResult) -> list[str]:
+    """The line that says where a deviation between the engines lives; none where nobody looked."""
+    return [] if observation.where is None else [f"where: {observation.where.reason}"]
+
+
 def _remedy(factor: float | None) -> str:
     """What an undecided comparison wants."""
     if factor is None:

@@ -11,7 +11,7 @@ from xml.etree import ElementTree
 
 import typer
 
-from vitrail.commands.finding import finding
+from vitrail.commands.finding import finding, where
 from vitrail.commands.output import print_json
 from vitrail.judge.comparison import ObservationResult, Verdict
 from vitrail.judge.records import Results, SceneResult
@@ -83,7 +83,7 @@ def github_annotations(results: Results, line: Line) -> list[str]:
             told = [
                 finding(observation, each) for each in observation.comparisons if each.verdict is observation.verdict
             ]
-            text = "\n".join([*told, *observation.unmeasured, f"again: {scene.reproduce}"])
+            text = "\n".join([*told, *where(observation), *observation.unmeasured, f"again: {scene.reproduce}"])
             title = f"{scene.name}.{observation.name} {observation.verdict.value}"
             found.append(_annotation(level, scene, line(scene, observation.name), title, text))
     return found
@@ -138,7 +138,7 @@ def _case(suite: ElementTree.Element, scene: SceneResult, observation: Observati
         return "success"
     told = [finding(observation, each) for each in observation.comparisons if each.verdict is observation.verdict]
     failure = ElementTree.SubElement(case, "failure", type=observation.verdict.value, message=told[0] if told else "")
-    failure.text = "\n".join([*told, *observation.unmeasured, f"again: {scene.reproduce}"])
+    failure.text = "\n".join([*told, *where(observation), *observation.unmeasured, f"again: {scene.reproduce}"])
     return "failure"
 
 

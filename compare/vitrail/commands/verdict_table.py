@@ -9,7 +9,7 @@ from rich.console import Console
 from rich.markup import escape
 from rich.table import Table
 
-from vitrail.commands.finding import finding
+from vitrail.commands.finding import finding, where
 
 if TYPE_CHECKING:
     from vitrail.judge.comparison import Comparison, ObservationResult
@@ -42,6 +42,7 @@ def attention(scene: SceneResult) -> list[str]:
         for comparison in observation.comparisons:
             if comparison.verdict is observation.verdict:
                 lines.append(_line(scene, observation, comparison))
+        lines += [f"  {escape(line)}" for line in where(observation)]
         lines += [f"  not measured: {escape(reason)}" for reason in observation.unmeasured]
     if scene.more_samples is not None:
         lines.append(f"  undecided: {escape(scene.more_samples.reason)}; --budget-s bounds it")

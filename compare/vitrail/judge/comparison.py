@@ -144,10 +144,66 @@ class PatchRecord(Record):
     coverage: float = Field(default=1.0, ge=0, le=1)
 
 
+class Outcome(StrEnum):
+    """What became of a deviation when something was switched off in both engines."""
+
+    GOES = "goes"
+    STAYS = "stays"
+    UNCLEAR = "unclear"
+    NOT_RENDERED = "not_rendered"
+
+
+class AblationEntry(Record):
+    """One thing switched off: how, and the number that tells what became of the deviation, before and after.
+
+    ``before`` and ``after`` are differences from the ideal in ``unit``, ``interval`` that of ``after``; without a
+    number ``reason`` says why there is none. ``absent`` phenomena are surely off, ``touched`` ones may have changed.
+    """
+
+    off: str
+    words: str
+    outcome: Outcome
+    metric: str = ""
+    unit: str = ""
+    before: float | None = None
+    after: float | None = None
+    interval: Interval | None = None
+    reason: str = ""
+    absent: tuple[Phenomenon, ...]
+    touched: tuple[Phenomenon, ...]
+
+
+class LayerShare(Record):
+    """What one of the tracer's layers gives to the light of a patch, in the channel in which the engines differ most.
+
+    ``needed``: by what share of itself the layer would have to be wrong to make the deviation; null where the mean
+    light does not deviate. A layer that POV-Ray lacks altogether is wrong by 1; above that the layer is too weak.
+    """
+
+    layer: Phenomenon
+    channel: Literal["red", "green", "blue"]
+    share: float
+    needed: float | None = None
+
+
+class Whereabouts(Record):
+    """Where a deviation between the engines lives: the ``suspects`` that all evidence leaves, and the evidence.
+
+    One fault is supposed. One suspect is a name, several were not told apart, none means that no single phenomenon
+    explains what was seen. Closed forms say which engine is wrong; this never does.
+    """
+
+    suspects: tuple[Phenomenon, ...]
+    reason: str
+    ablations: tuple[AblationEntry, ...] = ()
+    layers: tuple[LayerShare, ...] = ()
+
+
 class ObservationResult(Record):
     """One phenomenon on one patch: everything that was measured and what it came to.
 
     ``unmeasured`` says which numbers could not be had and why; with any of them the verdict is not ``agrees``.
+    ``where`` is looked for only when the engines deviate from each other.
     """
 
     name: str
@@ -158,3 +214,4 @@ class ObservationResult(Record):
     unmeasured: tuple[str, ...] = ()
     verdict: Verdict
     attribution: Attribution | None = None
+    where: Whereabouts | None = None

@@ -15,6 +15,7 @@ from vitrail.images.exr import ImageLayers
 from vitrail.images.patch import PatchGrid, PatchSamples, make_grid, sample_patch
 from vitrail.images.view import View
 from vitrail.judge.comparison import Pair, PatchRecord, Profile
+from vitrail.judge.patch_light import PatchLight, patch_light
 from vitrail.judge.plain import plain
 from vitrail.judge.profiles import profiles_of
 from vitrail.judge.references import SceneTruth, Truth
@@ -106,6 +107,18 @@ def _observe(
         profiles=profiles_of(observation, samples, truth.profiles.get(observation.name)),
         unmeasured=tuple(dict.fromkeys(unmeasured)),
     )
+
+
+def patch_lights(
+    scene: Scene, images: Mapping[str, ImageLayers], truth: SceneTruth, correlation_m: float
+) -> dict[str, PatchLight]:
+    """The mean light of every patch in both engines. Raises MetricError for a patch outside the image."""
+    found = {}
+    for entry in scene.observe:
+        grid = make_grid(scene.camera, scene.image, entry.patch)
+        tracer, povray = (_samples(scene, entry, images[side], grid) for side in ("tracer", "povray"))
+        found[entry.name] = patch_light(tracer, povray, _context(scene, entry, truth, correlation_m))
+    return found
 
 
 def _samples(scene: Scene, observation: Observation, image: ImageLayers, grid: PatchGrid) -> PatchSamples:

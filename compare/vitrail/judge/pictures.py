@@ -12,6 +12,7 @@ from vitrail.images.display import Display
 from vitrail.images.exr import ImageLayers, write_image, write_png
 from vitrail.images.false_colour import heat, signed_difference
 from vitrail.judge.records import ImageFiles
+from vitrail.judge.stored import stored_content
 from vitrail.metrics.flip import FlipSettings, flip_map
 
 
@@ -29,7 +30,8 @@ def write_pictures(
     for side, image in images.items():
         png = place / f"{side}.png"
         write_png(png, display.apply(image.radiance))
-        sides.append(ImageFiles(side=side, exr=_relative(files[side], root), png=_relative(png, root)))
+        content = stored_content(image)
+        sides.append(ImageFiles(side=side, exr=_relative(files[side], root), png=_relative(png, root), content=content))
     if len(images) < 2:
         return tuple(sides), {}
     candidate, reference = [image.radiance for image in images.values()][:2]

@@ -106,11 +106,15 @@ class Speed(Record):
 
 
 class ImageFiles(Record):
-    """One side's pictures: the linear radiance, the display picture, and pictures of what else there is."""
+    """One side's pictures: the linear radiance, the display picture, and pictures of what else there is.
+
+    ``content`` is the hash of the pixels as they would be stored: a decision about an image names it.
+    """
 
     side: str
     exr: str
     png: str
+    content: str = ""
     layers: dict[str, str] = {}
 
 
@@ -169,8 +173,8 @@ class FalseAlarms(Record):
 class Run(Record):
     """Where and how the run was made.
 
-    All that may differ between two equal runs is in here, in the engine runs with their ``speed``, and in the price of
-    ``more_samples``.
+    All that may differ between two equal runs is in here, in the engine runs with their ``speed``, in the price of
+    ``more_samples``, and in what the budget left untried of ``where``.
     """
 
     command: tuple[str, ...] = ()

@@ -48,3 +48,10 @@ def mean_radiance(candidate: PatchSamples, reference: PatchSamples | None, conte
     if reference is None:
         return per_channel("mean_radiance", patch_mean(candidate), RADIANCE, None)
     return channel_ratios("radiance_ratio", patch_mean(candidate), patch_mean(reference), {})
+
+
+def mean_difference(candidate: PatchSamples, reference: PatchSamples | None, context: Context) -> list[Measurement]:
+    """``mean_difference.<channel>``, candidate less reference, W sr^-1 m^-2, ideal 0; of dark patches too."""
+    if reference is None:
+        raise MetricError("a difference needs two images; give a reference")
+    return per_channel("mean_difference", patch_mean(candidate) - patch_mean(reference), RADIANCE, 0.0)

@@ -27,9 +27,9 @@ VITRAIL.decisions = (() => {
   return {
     all,
     of: (scene) => all()[scene] ?? { decision: "", because: "" },
-    set(scene, sceneHash, change) {
+    set(scene, content, change) {
       const decisions = all();
-      const next = { decision: "", because: "", ...decisions[scene], ...change, scene_hash: sceneHash };
+      const next = { decision: "", because: "", ...decisions[scene], ...change, content };
       if (next.decision || next.because) decisions[scene] = next;
       else delete decisions[scene];
       keep(decisions);
@@ -49,7 +49,7 @@ VITRAIL.decisions = (() => {
   /* On the page of a scene: accept or reject, with a reason. */
   const form = document.getElementById("decide");
   if (form) {
-    const { scene, hash } = form.dataset;
+    const { scene, content } = form.dataset;
     const show = () => {
       const known = VITRAIL.decisions.of(scene);
       form.querySelectorAll("[data-decision]").forEach((button) => {
@@ -62,12 +62,12 @@ VITRAIL.decisions = (() => {
     form.querySelectorAll("[data-decision]").forEach((button) =>
       button.addEventListener("click", () => {
         const same = VITRAIL.decisions.of(scene).decision === button.dataset.decision;
-        VITRAIL.decisions.set(scene, hash, { decision: same ? "" : button.dataset.decision });
+        VITRAIL.decisions.set(scene, content, { decision: same ? "" : button.dataset.decision });
         show();
       }),
     );
     document.getElementById("because").addEventListener("input", (event) =>
-      VITRAIL.decisions.set(scene, hash, { because: event.target.value }),
+      VITRAIL.decisions.set(scene, content, { because: event.target.value }),
     );
     VITRAIL.onKey({ a: () => form.querySelector("[data-decision=accept]").click(), r: () => form.querySelector("[data-decision=reject]").click() });
     show();

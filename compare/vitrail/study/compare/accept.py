@@ -78,8 +78,13 @@ def propose_rendering(
     return _proposal(loaded, folder, because, read_image(made.image_path), record, quality)
 
 
-def propose_from_run(loaded: Loaded, folder: Path, because: str, run: Path, scene: Mapping[str, Any]) -> Proposal:
-    """Propose the tracer's image of a finished comparison; ``scene`` is its entry in that run's results.json."""
+def propose_from_run(
+    loaded: Loaded, folder: Path, because: str, run: Path, scene: Mapping[str, Any], content: str | None = None
+) -> Proposal:
+    """Propose the tracer's image of a finished comparison; ``scene`` is its entry in that run's results.json.
+
+    ``content`` is that of the image which somebody looked at, where somebody did; another one is refused.
+    """
     if scene["scene_hash"] != scene_hash(loaded.scene):
         raise ReferencesError(
             f"{loaded.path}: has changed since the run in {run}; compare it again before you accept it"
@@ -88,8 +93,13 @@ def propose_from_run(loaded: Loaded, folder: Path, because: str, run: Path, scen
     engine = next((each for each in scene["engines"] if each["engine"] == "tracer"), None)
     if made is None or engine is None:
         raise ReferencesError(f"{run}: has no image of the tracer for {scene['name']}; compare the scene again")
+    image = read_image(run / made["exr"])
+    if content is not None and stored_content(image) != content:
+        raise ReferencesError(
+            f"{run / made['exr']}: is not the image that was decided on; open the report and decide again"
+        )
     record = {**engine["record"], "settings": scene["settings"]}
-    return _proposal(loaded, folder, because, read_image(run / made["exr"]), record, scene["settings"]["quality"])
+    return _proposal(loaded, folder, because, image, record, scene["settings"]["quality"])
 
 
 def recipe_of(loaded: Loaded, folder: Path) -> tuple[Quality, dict[str, object], str]:
@@ -145,11 +155,16 @@ def _older(loaded: Loaded, folder: Path) -> tuple[Stored | None, str]:
 
 
 def decisions_of(path: Path) -> Sequence[Mapping[str, str]]:
-    """What the report's reader decided: (scene, decision, because) each. Raises ReferencesError."""
+    """What the report's reader decided: (scene, decision, because, content) each; content is that of the image.
+
+    Raises ReferencesError.
+    """
     try:
         found = json.loads(path.read_text(encoding="utf-8"))
         decisions = found["decisions"] if found["vitrail_decisions"] == 1 else None
-        assert decisions is not None and all({"scene", "decision", "because"} <= set(each) for each in decisions)
+        assert decisions is not None and all(
+            {"scene", "decision", "because", "content"} <= set(each) for each in decisions
+        )
     except (OSError, ValueError, KeyError, TypeError, AssertionError):
         raise ReferencesError(f"{path}: is no file of decisions; export one from the report") from None
     return decisions

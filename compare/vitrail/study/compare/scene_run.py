@@ -22,6 +22,7 @@ from vitrail.plan.plan import Plan
 from vitrail.scene.load import Loaded
 from vitrail.scene.phenomenon import Phenomenon
 from vitrail.scene.print import scene_hash
+from vitrail.study.compare.ablate import Search
 from vitrail.study.compare.evidence import certificate_records, engine_record, plan_records, speed_records
 from vitrail.study.compare.look import Look
 from vitrail.study.compare.render import lower_both, render_both
@@ -38,12 +39,16 @@ AGAINST = {
 
 @dataclass(frozen=True)
 class SceneRun:
-    """A scene's record without verdicts, its numbers, and what the certificate allows for each phenomenon."""
+    """A scene's record without verdicts, its numbers, and what the certificate allows for each phenomenon.
+
+    ``search`` is what was tried to find where its engines deviate.
+    """
 
     record: SceneResult
     observed: tuple[Observed, ...] = ()
     residual: Callable[[Phenomenon], float] = lambda phenomenon: 0.0
     references: Path | None = None
+    search: Search = Search()
 
 
 def run_scene(loaded: Loaded, name: str, request: Request, progress: Progress) -> SceneRun:

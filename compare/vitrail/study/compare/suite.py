@@ -13,17 +13,17 @@ from datetime import UTC, datetime
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
-from vitrail.judge.comparison import ObservationResult
 from vitrail.judge.exit_code import INTERRUPTED, of_run, of_scene
 from vitrail.judge.false_alarms import SUITE_FALSE_ALARM_RATE, sidak
 from vitrail.judge.judgement import judge_observation
 from vitrail.judge.records import Results, Run, SceneResult, Status, write_results
 from vitrail.judge.references import read_scene_truth, references_folder
 from vitrail.judge.stored import read_stored
-from vitrail.judge.thresholds import thresholds_of
+from vitrail.judge.thresholds import Thresholds, thresholds_of
 from vitrail.judge.verdict import overall
 from vitrail.scene.load import Loaded
 from vitrail.scene.print import scene_hash
+from vitrail.study.compare.ablate import deviates_between_engines, search_whereabouts, with_whereabouts
 from vitrail.study.compare.more_samples import more, offer
 from vitrail.study.compare.request import Request
 from vitrail.study.compare.scene_run import SceneRun, run_scene
@@ -41,6 +41,7 @@ def compare(scenes: Sequence[Loaded], request: Request, watch: Watch = lambda *s
     _check_references(scenes, request)
     request.out.mkdir(parents=True, exist_ok=True)
     names = scene_names([loaded.path for loaded in scenes])
+    by_name = dict(zip(names, scenes, strict=True))
     runs: dict[str, SceneRun] = {}
     left_s: dict[str, float] = {}
     interrupted = False
@@ -49,7 +50,7 @@ def compare(scenes: Sequence[Loaded], request: Request, watch: Watch = lambda *s
         ordered = [runs[name] for name in names if name in runs]
         spent = {"wall_s": round(time.monotonic() - clock, 3), "interrupted": interrupted}
         results = judge(ordered, about.model_copy(update=spent), looks=1 + request.rounds)
-        results = _priced(results, dict(zip(names, scenes, strict=True)), left_s, request)
+        results = _priced(results, by_name, left_s, request)
         write_results(results, request.out / "results.json")
         return results
 
@@ -64,7 +65,14 @@ def compare(scenes: Sequence[Loaded], request: Request, watch: Watch = lambda *s
                 left_s[name] = left_s[name] - _cpu_s(run.record) if name in left_s else request.budget_s
                 runs[name] = run
                 finish()
-            todo = _undecided(finish(), dict(zip(names, scenes, strict=True)), request)
+            todo = _undecided(finish(), by_name, request)
+        for record in finish().scenes:
+            if any(deviates_between_engines(entry) for entry in record.observations):
+                run = runs[record.name]
+                assert run.references is not None
+                watched, left = _watched(watch, record.name), left_s[record.name]
+                found = search_whereabouts(by_name[record.name], run.references, record, request, left, watched)
+                runs[record.name] = replace(run, search=found)
     except KeyboardInterrupt:
         interrupted = True
     return finish()
@@ -119,11 +127,7 @@ def judge(runs: Sequence[SceneRun], about: Run, *, looks: int = 1, comparisons: 
     rate = min((each.suite_false_alarm_rate for each in rules.values()), default=SUITE_FALSE_ALARM_RATE)
     shared = sidak(rate, comparisons)
     scenes = tuple(
-        _judged(
-            run, [judge_observation(each, rules[run.references], run.residual, shared.level) for each in run.observed]
-        )
-        if run.references is not None
-        else _coded(run.record)
+        _judged(run, rules[run.references], shared.level) if run.references is not None else _coded(run.record)
         for run in runs
     )
     keys = [scene.verdict.value if scene.verdict else "unjudged" for scene in scenes]
@@ -172,11 +176,13 @@ def _watched(watch: Watch, name: str) -> Callable[[str, float, float], None]:
     return lambda phase, done, total: watch(name, phase, done, total)
 
 
-def _judged(run: SceneRun, observations: Sequence[ObservationResult]) -> SceneResult:
+def _judged(run: SceneRun, thresholds: Thresholds, level: float) -> SceneResult:
     """The scene's record with its verdicts; a scene that observes nothing has judged nothing and says so."""
+    judged = [judge_observation(each, thresholds, run.residual, level) for each in run.observed]
+    observations = with_whereabouts(judged, run.search, thresholds, level)
     words = [each.verdict for each in observations] + [each.verdict for each in run.record.global_metrics]
     verdict = overall(words) if observations else None
-    update: dict[str, object] = {"observations": tuple(observations), "verdict": verdict}
+    update: dict[str, object] = {"observations": observations, "verdict": verdict}
     if verdict is None:
         update |= {"status": Status.SCENE_ERROR, "message": "the scene observes nothing; add an `observe` entry"}
     return _coded(run.record.model_copy(update=update))

@@ -18,6 +18,7 @@ from vitrail.judge.diagnosis import Diagnosis, diagnose
 from vitrail.judge.records import Results, Status
 from vitrail.study.compare.request import Defect
 from vitrail.study.compare.scene_run import SceneRun, run_scene
+from vitrail.study.mutants.ablated import clean_ablations, whereabouts_of
 from vitrail.study.mutants.bench import Bench, alone, clean_bench, content, unwatched
 from vitrail.study.mutants.catalogue import MUTANTS
 from vitrail.study.mutants.mutant import Mutant
@@ -42,17 +43,20 @@ def run_mutants(
     tasks = [Task("mutant", {"name": name, "what": known[name].what, "bench": _content(bench)}) for name in known]
     work: dict[str, Work] = {"mutant": lambda spec: _measured(known[spec["name"]], bench, out / spec["name"])}
     rows = run_tasks(tasks, TaskLog(out), work, jobs=jobs, report=report)
+    ablated = clean_ablations(bench)
     entries = [_record(known[row.spec["name"]], row) for row in rows]
     found = {
-        "vitrail_mutants": 2,
+        "vitrail_mutants": 3,
         "clean": {
             **_diagnosis_record(diagnose(bench.judged(bench.clean).scenes)),
             "scenes": list(bench.scenes),
             "alone": {metric: sorted(names) for metric, names in bench.alarms.items()},
+            "ablated": ablated,
         },
         "mutants": entries,
         "caught": sum(1 for entry in entries if entry["reported"] is not None),
         "named": sum(1 for entry in entries if entry["reported"] == entry["injected"]),
+        "located": sum(1 for entry in entries if (entry["where"] or {}).get("suspects") == [entry["injected"]]),
         "cpu_s": round(bench_cpu_s + sum(row.cost.get("cpu_s", 0.0) for row in rows)),
     }
     (out / "mutants.json").write_text(json.dumps(found, indent=1, sort_keys=True) + "\n")
@@ -88,6 +92,7 @@ def _inject(mutant: Mutant, bench: Bench, place: Path) -> tuple[dict[str, Any], 
         "stopped": sorted(refused),
         **_diagnosis_record(found),
         "witness": _witness(results, found),
+        "where": whereabouts_of(found, results, runs, requests, bench),
         "alone": alone(bench, [scene for scene in results.scenes if scene.name in touched]),
     }
     return record, list(runs.values())
@@ -138,6 +143,7 @@ def _record(mutant: Mutant, row: Row) -> dict[str, Any]:
         "alone": {},
         "stopped": [],
         "witness": None,
+        "where": None,
     }
     return {
         "name": mutant.name,

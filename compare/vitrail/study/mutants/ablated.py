@@ -1,0 +1,66 @@
+"""What ablation says of the bench: where each mutant lives, and whether switching anything off makes a deviation."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any
+
+from vitrail.judge.comparison import Verdict
+from vitrail.judge.diagnosis import Diagnosis
+from vitrail.judge.judgement import judge_observation
+from vitrail.judge.records import Results
+from vitrail.judge.thresholds import thresholds_of
+from vitrail.study.compare.ablate import search_whereabouts
+from vitrail.study.compare.request import Request
+from vitrail.study.compare.scene_run import SceneRun
+from vitrail.study.compare.suite import about_run, judge
+from vitrail.study.mutants.bench import Bench, unwatched
+
+
+def whereabouts_of(
+    found: Diagnosis, results: Results, runs: Mapping[str, SceneRun], requests: Mapping[str, Request], bench: Bench
+) -> dict[str, Any] | None:
+    """Suspects and evidence for the observation that a diagnosis rests on; None where the engines agree there."""
+    record = next((scene for scene in results.scenes if scene.name == found.scene), None)
+    if record is None or record.name not in runs:
+        return None
+    run = runs[record.name]
+    assert run.references is not None
+    loaded = bench.scenes[record.name]
+    tried = search_whereabouts(loaded, run.references, record, requests[record.name], math.inf, unwatched)
+    again = judge([replace(run, search=tried)], about_run((), 0), comparisons=results.false_alarms.comparisons)
+    where = next(entry.where for entry in again.scenes[0].observations if entry.name == found.observation)
+    if where is None:
+        return None
+    return {
+        "suspects": [phenomenon.value for phenomenon in where.suspects],
+        "reason": where.reason,
+        "ablations": {entry.off: entry.outcome.value for entry in where.ablations},
+    }
+
+
+def clean_ablations(bench: Bench) -> dict[str, Any]:
+    """Every ablation of every clean scene: how many there are, and those whose engines do not agree, or that failed.
+
+    An ablation that makes a deviation where there was none changes something in one engine only, and would mislead.
+    """
+    results = bench.judged(bench.clean)
+    level, count, apart = results.false_alarms.level, 0, {}
+    for record in results.scenes:
+        run, request = bench.clean[record.name], bench.requests[record.name]
+        assert run.references is not None
+        rules, loaded = thresholds_of(run.references), bench.scenes[record.name]
+        tried = search_whereabouts(loaded, run.references, record, request, math.inf, unwatched, everywhere=True)
+        for look in tried.looks:
+            count += 1
+            judged = [judge_observation(each, rules, look.residual, level) for each in look.observed.values()]
+            words = [f"{each.name} {each.verdict.value}" for each in judged if _is_apart(each.comparisons)]
+            if words or look.reason:
+                apart[f"{record.name}, {look.ablation.name}"] = look.reason or ", ".join(words)
+    return {"count": count, "apart": apart}
+
+
+def _is_apart(comparisons: Any) -> bool:
+    return any(entry.verdict is not Verdict.AGREES for entry in comparisons)
