@@ -83,7 +83,7 @@ def test_where_a_deviation_lives_is_said_with_what_was_switched_off(watched: Wat
     assert [row.split("\t")[0] for row in rows] == ["caustic", "refraction", "caustic"]
     assert "goes" in rows[0] and "0.3" in rows[0] and "−0.001 … 0.005" in rows[0]
     assert "not rendered: about 9 CPU s each" in rows[1]
-    assert "50\u202f%" in rows[2] and "46\u202f% of itself" in rows[2]
+    assert "50\u202f%" in rows[2] and "46\u202f% of that" in rows[2]
     watched.check()
     page.goto((report / "alike" / "index.html").as_uri())
     assert page.locator("details.where").count() == 0, "engines that agree have nothing to look for"

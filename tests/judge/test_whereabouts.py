@@ -143,18 +143,21 @@ def test_engines_that_agree_have_no_whereabouts() -> None:
 
 
 def test_a_layer_with_less_light_than_the_excess_is_not_it() -> None:
-    bright = light(1.0, 0.5, caustic=0.4, refraction=0.01)
+    bright = light(1.0, 0.5, caustic=0.01, refraction=0.6)
     found = told(THERE, switched("coloured_transmission", THERE), bright=bright)
     needed = {each.layer: each.needed for each in found.layers}
-    assert needed == {P.CAUSTIC: pytest.approx(1.25), P.REFRACTION: pytest.approx(50)}
-    assert P.REFRACTION not in found.suspects and P.CAUSTIC in found.suspects
-    assert "refraction gives 1 % of the light there, which is too little" in found.reason
+    assert needed == {P.CAUSTIC: pytest.approx(50), P.REFRACTION: pytest.approx(0.5 / 0.61)}
+    assert P.CAUSTIC not in found.suspects and P.REFRACTION in found.suspects
+    assert "caustic acts on 1 % of the light, which is too little" in found.reason
+    # An index shapes the caustic too: where no glass is seen, bending is still a suspect.
+    unseen = told(THERE, switched("coloured_transmission", THERE), bright=light(1.0, 0.5, caustic=0.6, refraction=0.0))
+    assert {P.CAUSTIC, P.REFRACTION} <= set(unseen.suspects)
 
 
 def test_layers_say_nothing_of_light_that_povray_has_more_of_nor_of_a_shift() -> None:
     assert all(each.needed is None for each in layer_shares(light(0.5, 1.0, caustic=0.01), LEVEL, mean_deviates=True))
     assert all(each.needed is None for each in layer_shares(light(1.0, 0.5, caustic=0.01), LEVEL, mean_deviates=False))
-    assert not is_too_weak(LayerShare(layer=P.CAUSTIC, channel="red", share=0.01))
+    assert not is_too_weak(LayerShare(layer=P.CAUSTIC, channel="red", share=0.01, acts_on=0.01))
     # Noise as wide as the excess leaves none of it sure.
     noisy = layer_shares(light(1.0, 0.5, 1.0, caustic=0.01), LEVEL, mean_deviates=True)
     assert [each.needed for each in noisy] == [None]

@@ -84,6 +84,8 @@ def test_what_carries_a_patch_stays_and_what_shadows_it_goes() -> None:
     ablated = off(scene, "shadow")
     assert [item.name for item in ablated.scene.objects] == ["floor"]
     assert names(make(FLOOR, observe=(ON_FLOOR,))) == []
+    on_cover = ON_FLOOR.replace("spot", "lid").replace("[0, 0, 0]", "[-1, 0.5, 0]", 1)
+    assert names(make(FLOOR, COVER, observe=(ON_FLOOR, on_cover))) == [], "what carries a patch is not taken away"
 
 
 def test_indirect_light_is_switched_off_in_the_transport_alone() -> None:

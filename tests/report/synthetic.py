@@ -110,7 +110,7 @@ def whereabouts(flux: float) -> Whereabouts:
         reason="about 9 CPU s each, and 2 are left; --budget-s bounds it",
         absent=(Phenomenon.REFRACTION,), touched=(Phenomenon.REFRACTION,),
     )  # fmt: skip
-    layers = (LayerShare(layer=Phenomenon.CAUSTIC, channel="red", share=0.5, needed=0.46),)
+    layers = (LayerShare(layer=Phenomenon.CAUSTIC, channel="red", share=0.5, acts_on=0.5, needed=0.46),)
     reason = "in caustic: it goes when bodies that mirror or refract are black"
     return Whereabouts(suspects=(Phenomenon.CAUSTIC,), reason=reason, ablations=(gone, dear), layers=layers)
 

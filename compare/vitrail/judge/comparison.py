@@ -176,13 +176,16 @@ class AblationEntry(Record):
 class LayerShare(Record):
     """What one of the tracer's layers gives to the light of a patch, in the channel in which the engines differ most.
 
-    ``needed``: by what share of itself the layer would have to be wrong to make the deviation; null where the mean
-    light does not deviate. A layer that POV-Ray lacks altogether is wrong by 1; above that the layer is too weak.
+    ``acts_on`` is the share of the light that the phenomenon may change: a caustic only its own layer, but bending and
+    mirroring all that came by glass or mirror. ``needed``: by what share of that it would have to be wrong to make the
+    deviation; null where the tracer's mean light does not exceed POV-Ray's. What POV-Ray lacks altogether is wrong by
+    1; above that there is too little light.
     """
 
     layer: Phenomenon
     channel: Literal["red", "green", "blue"]
     share: float
+    acts_on: float
     needed: float | None = None
 
 

@@ -15,7 +15,15 @@ from vitrail.metrics.radiance import mean_difference, patch_mean
 from vitrail.scene.phenomenon import Phenomenon
 
 TOO_WEAK = 1.25
-"""An excess above all of a layer by a quarter: rounding and the tolerances of both engines are far below that."""
+"""An excess above all of a light by a quarter: rounding and the tolerances of both engines are far below that."""
+
+DARK = 1e-9
+"""Share of the light that stands for none, so that no division is by zero."""
+
+BENDING = (Phenomenon.REFLECTION, Phenomenon.REFRACTION, Phenomenon.TOTAL_INTERNAL_REFLECTION)
+SPECULAR = (*BENDING, Phenomenon.CAUSTIC)
+"""Layers of light that came by glass or mirror. What turns it at one face decides about all of them: a wrong index
+moves the light of a caustic, and what Fresnel does not mirror he lets through."""
 
 
 @dataclass(frozen=True)
@@ -55,7 +63,7 @@ def patch_light(tracer: PatchSamples, povray: PatchSamples, context: Context) ->
 
 
 def layer_shares(light: PatchLight, level: float, *, mean_deviates: bool) -> tuple[LayerShare, ...]:
-    """The share of each layer that gives light; and, where the mean light deviates, how wrong it would have to be.
+    """The share of each layer, and where the mean light deviates, how wrong its phenomenon would have to be.
 
     Of an excess of the tracer the surest part is taken, the end of its interval that is nearest to zero. Light that
     POV-Ray has more of says nothing about the tracer's layers: a layer can be too strong there by any factor.
@@ -64,18 +72,16 @@ def layer_shares(light: PatchLight, level: float, *, mean_deviates: bool) -> tup
     if total <= 0:
         return ()
     interval = light.difference(channel, level)
-    excess = max(interval.low, 0.0) if interval is not None and mean_deviates else 0.0
-    return tuple(
-        LayerShare(
-            layer=layer,
-            channel=CHANNELS[channel],
-            share=float(values[channel]) / total,
-            needed=excess / max(float(values[channel]), 1e-12 * total) if excess > 0 else None,
-        )
-        for layer, values in light.layers.items()
-    )
+    excess = max(interval.low, 0.0) / total if interval is not None and mean_deviates else 0.0
+    shares = {layer: float(values[channel]) / total for layer, values in light.layers.items()}
+    found = []
+    for layer, share in shares.items():
+        acts_on = sum(shares.get(each, 0.0) for each in SPECULAR) if layer in BENDING else share
+        needed = excess / max(acts_on, DARK) if excess > 0 else None
+        found.append(LayerShare(layer=layer, channel=CHANNELS[channel], share=share, acts_on=acts_on, needed=needed))
+    return tuple(found)
 
 
 def is_too_weak(layer: LayerShare) -> bool:
-    """Whether the tracer's excess is more than all that a layer gives; diffusion is what every layer falls on."""
+    """Whether the tracer's excess is more than all the light a phenomenon acts on; diffusion acts on all of it."""
     return layer.needed is not None and layer.needed > TOO_WEAK and layer.layer is not Phenomenon.DIFFUSION

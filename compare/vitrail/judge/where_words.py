@@ -26,7 +26,7 @@ def sentence(
     parts = [f"{_names(suspects)}: {why}"]
     weak = [each for each in layers if is_too_weak(each) and each.layer not in suspects]
     parts += [
-        f"{_name(each.layer)} gives {100 * each.share:.2g} % of the light there, which is too little" for each in weak
+        f"{_name(each.layer)} acts on {100 * each.acts_on:.2g} % of the light, which is too little" for each in weak
     ]
     unclear = [each for each in entries if each.outcome is Outcome.UNCLEAR]
     parts += [f"when {each.words} it is unclear ({each.reason})" for each in unclear]
