@@ -18,6 +18,7 @@ from vitrail.plan.analyse import analyse, everything
 from vitrail.plan.budget import settings_for
 from vitrail.plan.plan import Plan
 from vitrail.scene.check import check_file
+from vitrail.scene.load import load_text
 from vitrail.scene.model import Image, Scene
 
 ROOT = Path(__file__).parents[2]
@@ -49,6 +50,26 @@ def test_everything_on_gives_the_same_image_as_the_plan(path: Path, tmp_path: Pa
     needed = rendered(scene, plan, photons, tmp_path / "needed", path)
     full = rendered(scene, most, PHOTONS, tmp_path / "full", path)
     np.testing.assert_array_equal(needed.radiance, full.radiance)
+
+
+@pytest.mark.parametrize("bands", ["paper", "povray", "{spectral: 5}", "continuous"])
+def test_white_stays_white_in_every_band_model(bands: str, tmp_path: Path) -> None:
+    """A dispersive pane that mirrors nothing, at normal incidence, spreads nothing: a panel of radiance 1 shows 1."""
+    loaded = load_text(f"""
+vitrail: 1
+camera: {{kind: orthographic, position: [0, 0, 2], look_at: [0, 0, 0], height: 0.1}}
+image: {{width: 2, height: 2}}
+transport: {{bands: {bands}}}
+materials: {{panel: {{emission: 1}}, glass: {{transmission: 1, ior: 1.6, dispersion: 0.03}}}}
+objects:
+  - {{name: panel, rectangle: {{center: [0, 0, -1], u: [1, 0, 0], v: [0, 1, 0]}}, material: panel}}
+  - {{name: pane, box: {{min: [-1, -1, 0], max: [1, 1, 0.1]}}, material: glass}}
+lights: []
+""")
+    scene = loaded.scene
+    image = rendered(scene, everything(scene), 0, tmp_path, loaded.path)
+    # Weights are multiples of 2^-40; the image is kept in single precision.
+    np.testing.assert_allclose(image.radiance, 1, rtol=2**-23)
 
 
 def test_progress_tells_the_phases(tmp_path: Path) -> None:

@@ -12,6 +12,6 @@ camera {
 plane { <0, 1, 0>, -0.5 texture { pigment { rgb 64 } finish { emission 1 } } }
 box {
   <-20, -0.25, -20>, <20, 0, 20>
-  texture { pigment { rgb 1 filter 1 } finish { reflection { 0, 1 fresnel on } conserve_energy } }
+  texture { pigment { rgb 1 filter 1 } finish { reflection { 0, rgb 1 fresnel on } conserve_energy } }
   interior { ior 1.5 }
 }

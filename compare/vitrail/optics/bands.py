@@ -1,7 +1,7 @@
 """How white light is split into bands: their colours, which add up to white, and their wavelengths.
 
 ``paper``: the four colours of the paper, red, yellow, green, blue, with the weights of [O 1.4] for y = 1/2.
-``povray``: the bands and hues of POV-Ray, N of equal width between 380 and 730 nm [P 3.2].
+``povray``: the bands of POV-Ray, N of equal width between 380 and 730 nm, its hues scaled to add up to white [P 3.2].
 ``spectral N``: the same intervals with the colours of daylight in them (CIE 1931, D65), signed linear RGB.
 ``continuous``: as many spectral bands as a picture can tell apart.
 """
@@ -41,7 +41,7 @@ class Band:
 
 @dataclass(frozen=True)
 class BandModel:
-    """Bands from red to blue; the weights of each channel sum to 1, exactly but for ``povray`` (see there)."""
+    """Bands from red to blue; the weights of each channel sum to exactly 1."""
 
     name: str
     bands: tuple[Band, ...]
@@ -88,24 +88,31 @@ def band_model(choice: str | SpectralChoice) -> BandModel:
 
 
 def povray(count: int) -> BandModel:
-    """POV-Ray's bands for ``dispersion_samples count``, from red to blue.
+    """POV-Ray's bands for ``dispersion_samples count``, from red to blue, so scaled that white stays white."""
+    return _scaled_to_white("povray", povray_hues(count))
 
-    The weights sum to its own white, (0.9937, 1.0000, 0.9961), not to (1, 1, 1): that is what POV-Ray shows [P 3.2].
-    """
+
+def povray_hues(count: int) -> tuple[Band, ...]:
+    """The same bands as POV-Ray itself weighs them: their sum is its own white, (0.9938, 1.0000, 0.9962) [P 3.2]."""
     edges, cumulative = _povray_hues()
-    return BandModel("povray", _bands(count, [_interpolate(edges, column, _edges(count)) for column in cumulative]))
+    return _bands(count, [_interpolate(edges, column, _edges(count)) for column in cumulative])
 
 
 @functools.lru_cache(maxsize=32)
 def spectral(count: int) -> BandModel:
     """``count`` bands of equal width, coloured as the daylight in them; each channel sums to exactly 1."""
     edges, cumulative = _daylight()
-    columns = [_interpolate(edges, column, _edges(count)) for column in cumulative]
-    exact = [_summing_to_one([high - low for low, high in zip(c, c[1:], strict=False)]) for c in columns]
-    names = _bands(count, columns)
-    weights = list(zip(*exact, strict=True))[::-1]
-    made = (Band(band.name, weight, band.wavelength_nm) for band, weight in zip(names, weights, strict=True))
-    return BandModel(f"spectral {count}", tuple(made))
+    return _scaled_to_white(
+        f"spectral {count}", _bands(count, [_interpolate(edges, c, _edges(count)) for c in cumulative])
+    )
+
+
+def _scaled_to_white(name: str, bands: tuple[Band, ...]) -> BandModel:
+    """The bands with each channel scaled to a sum of exactly 1."""
+    channels = [_summing_to_one([band.weight[channel] for band in bands]) for channel in range(3)]
+    weights = zip(*channels, strict=True)
+    made = (Band(band.name, weight, band.wavelength_nm) for band, weight in zip(bands, weights, strict=True))
+    return BandModel(name, tuple(made))
 
 
 def _edges(count: int) -> list[float]:

@@ -147,6 +147,21 @@ def test_light_scattered_inside_glass_is_dimmed_by_the_square_of_its_index() -> 
     )
 
 
+@pytest.mark.parametrize("shares", ["transmission: 0.7", "transmission: 1", "transmission: 0.5, diffuse: 0.3"])
+@pytest.mark.parametrize("fresnel", [True, False])
+def test_glass_glows_at_both_faces_whatever_else_it_does(shares: str, fresnel: bool) -> None:
+    """A pane over nothing: e of the face in front, and what both faces send inwards, e / n^2, with all bounces.
+
+    L = e + T (e / n^2) / (1 - R), with R = s R_0 and T = s (1 - R_0) by Fresnel, else 0 and t; nothing is lit.
+    """
+    e, n, s = 0.2, 1.5, 0.5 if "0.5" in shares else 0.7 if "0.7" in shares else 1.0
+    normal = ((n - 1) / (n + 1)) ** 2 if fresnel else 0.0
+    expected = e + s * (1 - normal) * e / n**2 / (1 - s * normal)
+    material = f"glow: {{{shares}, ior: {n}, fresnel: {str(fresnel).lower()}, emission: {e}}}"
+    pane = "- {name: pane, box: {min: [-1, 0, -1], max: [1, 0.2, 1]}, material: glow}"
+    assert rendered(scene(material, pane, lights="")).mean == pytest.approx([expected] * 3, rel=HALF_FLOAT)
+
+
 def test_a_card_cast_into_glass_is_dimmed_by_the_square_of_its_index() -> None:
     """With t = 3/4 a flux of 255 / 256 after two faces has 8 bits after one, too: nothing is truncated [P 2.4]."""
     cast = card_in_glass(0.75)

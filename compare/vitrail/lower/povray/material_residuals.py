@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from vitrail.lower.povray.certificate import RELATIVE, Entry
 from vitrail.lower.povray.exposure import Exposure, Triplet
 from vitrail.lower.povray.indices import Indices
 from vitrail.lower.povray.modes import Mode
 from vitrail.lower.povray.surface import is_grey, specular_pool
+from vitrail.optics.bands import Band, povray_hues
+from vitrail.optics.dispersion import reference_ior
 from vitrail.scene.model import Ggx, Material, Scene
 from vitrail.scene.phenomenon import Phenomenon
 
@@ -45,7 +47,7 @@ def mirror_share(material: Material) -> float:
     """What one reflection leaves at most of a path that also goes on by other ways: r, or R at normal incidence."""
     if not material.fresnel:
         return max(material.reflection)
-    index = material.ior or 1.0
+    index = reference_ior(material)
     return ((index - 1) / (index + 1)) ** 2
 
 
@@ -100,6 +102,25 @@ def _dispersion(item: str, material: Material, mode: Mode, indices: Indices) -> 
         0.0 if law is None else law.largest_residual,
         "index",
         mode.reason if law is None else "POV-Ray's law has two numbers; least squares over the bands",
+    )
+    if law is not None:
+        yield Entry(
+            Phenomenon.DISPERSION,
+            item,
+            f"{len(mode.bands)} bands that add up to white",
+            "as many in POV-Ray's hues",
+            _other_hues(mode.bands),
+            RELATIVE,
+            "what bands of other colours take of a channel or leave; POV-Ray's own white is (.9938, 1, .9962)",
+        )
+
+
+def _other_hues(bands: Sequence[Band]) -> float:
+    """The share of a channel, the worst of three, that POV-Ray's hues put into other bands or lose."""
+    hues = povray_hues(max(2, len(bands)))
+    return max(
+        sum(abs(band.weight[channel] - hue.weight[channel]) for band, hue in zip(bands, hues, strict=True))
+        for channel in range(3)
     )
 
 

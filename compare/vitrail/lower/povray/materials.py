@@ -4,7 +4,9 @@ One layer cannot do it, because POV-Ray takes d and t from one pigment [P 4.2]. 
 channel, a face is the *average* of two textures by weight: with weight s a clear one that only mirrors and refracts,
 and with weight 1 - s an opaque one that only scatters. POV-Ray lets total internal reflection through at full strength
 whatever the finish says [P 4.1]; inside the average it then carries the weight s, which is the scene's law.
-The Fresnel split is exact for the same reason. Where s differs by channel (native runs only), two layers stand in.
+The Fresnel split is exact for the same reason. Glow is a third texture, because a pigment has one colour; where s is 1
+it takes a weight of 1 / 16384. Where s differs by channel (native runs only), two layers stand in, or beside a glow the
+largest s.
 """
 
 from __future__ import annotations
@@ -17,6 +19,8 @@ from vitrail.scene.model import Material
 
 LAYER_SHARE = 0.5
 """How much the lower, scattering layer lets through; the filter layer above makes up for it [P 4.2]."""
+GLOW_WEIGHT = 2.0**-14
+"""The least weight of what is not clear in glass that glows: a tenth of a half float's step is taken from the clear."""
 DARKEST_FILTER = 1e-4
 """Filter of a channel without transmission but with diffuse share: the layer below must stay visible [P 4.2]."""
 
@@ -28,7 +32,7 @@ def texture_sdl(surface: Surface) -> str:
         return _weighted(_opaque_parts(surface))
     if max(surface.pool) == 0:
         return _weighted([*_scattering(surface, 1.0, 1.0), *_glow(surface, 1.0)] or [(1.0, _black())])
-    if is_grey(surface.pool) and material.emission is None:
+    if is_grey(surface.pool) or material.emission is not None:
         return _averaged_glass(surface)
     return _layered_glass(surface)
 
@@ -77,20 +81,24 @@ def _glow(surface: Surface, factor: float) -> list[tuple[float, str]]:
 
 
 def _averaged_glass(surface: Surface) -> str:
-    """Clear with weight s, opaque with weight 1 - s."""
-    share = surface.pool[0]
+    """Clear with weight s, opaque with weight 1 - s, which scattering and glow share evenly."""
+    glows = surface.material.emission is not None
+    share = min(max(surface.pool), 1 - GLOW_WEIGHT) if glows else max(surface.pool)
     clear = (share, _clear(surface, share))
     if share >= 1 - GREY_SLACK:
         return _weighted([(1.0, clear[1])])
-    scatter = _scattering(surface, 1 - share, 1 / (1 - share))
-    return _weighted([clear, *(scatter or [(1 - share, _black())])])
+    weight = (1 - share) / (2 if glows and surface.material.is_diffuse else 1)
+    glow = [(weight, body) for _, body in _glow(surface, 1 / weight)]
+    opaque = [*_scattering(surface, weight, 1 / weight), *glow]
+    return _weighted([clear, *(opaque or [(1 - share, _black())])])
 
 
 def _clear(surface: Surface, share: float) -> str:
     """Mirrors and refracts all light: r / s and t / s, or by Fresnel."""
     material, exposure = surface.material, surface.exposure
     if material.fresnel:
-        return _texture("rgb 1 filter 1", _normal(surface), _finish("reflection { 0, 1 fresnel on } conserve_energy"))
+        whole = rgb(_times(surface.pool, 1 / share))
+        return _texture(f"{whole} filter 1", _normal(surface), _finish(_fresnel(whole), "conserve_energy"))
     transmission = _times(exposure.share(material.transmission), 1 / share)
     mirror = _mirror(material, _times(exposure.share(material.reflection), 1 / share), keep_energy=False)
     return _texture(f"{rgb(transmission)} filter 1", _normal(surface), _finish(mirror))
@@ -105,16 +113,14 @@ def _layered_glass(surface: Surface) -> str:
         surface.pool if material.fresnel else exposure.share(material.reflection),
         keep_energy=material.fresnel,
     )
-    lower = material.diffuse if material.is_diffuse else material.emission
-    if lower is None:
+    if not material.is_diffuse:
         return _texture(f"{rgb(pool)} filter 1", _normal(surface), _finish(mirror))
     # Divide the lower layer by what the filter above takes from it, channel by channel.
     above = tuple(max(value / LAYER_SHARE, DARKEST_FILTER) for value in pool)
     below = tuple(1 / (value * (1 - LAYER_SHARE)) for value in above)
-    look = surface.scatters if material.is_diffuse else "emission 1"
-    scatter = coloured(lower, surface, below, light=not material.is_diffuse, suffix=f" transmit {number(LAYER_SHARE)}")
-    normal = _normal(surface)
-    return "\n".join([_texture(scatter, normal, _finish(look, mirror)), _texture(f"{rgb(above)} filter 1", normal)])
+    scatter = coloured(material.diffuse, surface, below, light=False, suffix=f" transmit {number(LAYER_SHARE)}")
+    normal, look = _normal(surface), _finish(surface.scatters, mirror)
+    return "\n".join([_texture(scatter, normal, look), _texture(f"{rgb(above)} filter 1", normal)])
 
 
 # --- text -----------------------------------------------------------------------------------------------------------
@@ -124,8 +130,12 @@ def _mirror(material: Material, colour: Triplet, *, keep_energy: bool) -> str:
     if max(colour) == 0:
         return ""
     if material.fresnel:
-        return f"reflection {{ 0, {rgb(colour)} fresnel on }}" + (" conserve_energy" if keep_energy else "")
+        return _fresnel(rgb(colour)) + (" conserve_energy" if keep_energy else "")
     return f"reflection {{ {rgb(colour)} }}"
+
+
+def _fresnel(colour: str) -> str:
+    return f"reflection {{ 0, {colour} fresnel on }}"
 
 
 def _texture(pigment: str, *others: str) -> str:

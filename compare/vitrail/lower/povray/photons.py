@@ -23,6 +23,7 @@ from vitrail.lower.povray.meshes import Meshes, bounds_with
 from vitrail.lower.povray.normalise import Normalisation
 from vitrail.lower.povray.refusal import NotTranslatable, Refusals
 from vitrail.lower.povray.sdl import block, number
+from vitrail.optics.dispersion import reference_ior
 from vitrail.plan.budget import Settings
 from vitrail.plan.plan import Plan
 from vitrail.scene.model import Material, Scene
@@ -200,7 +201,7 @@ def main_path_share(scene: Scene, exposure: Exposure) -> float:
 def _path_share(material: Material, exposure: Exposure) -> float:
     r, t = max(exposure.share(material.reflection)), max(exposure.share(material.transmission))
     if material.fresnel and material.is_transmissive:
-        index = material.ior or 1.0
+        index = reference_ior(material)
         return ((r + t) * 4 * index / (index + 1) ** 2) ** 2 or 1.0
     return (t**2 if material.is_transmissive else r) or 1.0
 
