@@ -46,6 +46,10 @@ def _pane(share: str) -> Computed:
     return lambda: slabs.weighted_pane(share)
 
 
+def _tumbler(absorption_per_m: str) -> Computed:
+    return lambda: beer.absorbing_film(("1", "1.33", "1.5"), absorption_per_m, mpf("0.5")) / CROWN**2
+
+
 def _slab(degrees: int) -> Computed:
     return lambda: slabs.slab(CROWN, degrees)
 
@@ -133,6 +137,7 @@ SCENES: dict[tuple[str, str, str], Computed] = {
     **_coloured("ambient_card", "card", "indirect_radiance", tuple(_ambient(d, 1) for d in GREY)),
     **_coloured("closed_room", "wall", "mean_radiance", (lambda: 1 / pi,) * 3),
     **_coloured("closed_room", "wall", "indirect_radiance", (lambda: 1 / (2 * pi),) * 3),
+    **_coloured("tumbler", "through", "mean_radiance", tuple(_tumbler(a) for a in ("0.5", "2", "8"))),
     **_coloured("beer_slab", "through", "absorption", tuple(lambda a=a: mpf(a) for a in ("0.5", "2", "8"))),
     **_coloured("beer_wedge", "slope", "absorption_fit", tuple(lambda a=a: mpf(a) for a in (1, 2, 4))),
     **_coloured("beer_wedge", "slope", "mean_radiance", tuple(_wedge(a) for a in (1, 2, 4))),

@@ -12,6 +12,7 @@ import pytest
 
 from tests.lower.povray.real_povray import HALF_FLOAT, LOOKING_DOWN, lowered, plain_povray, rendered, scene
 from tests.lower.povray.test_bodies import face, slab, stack
+from vitrail.lower.povray.flush import orders
 
 MATERIALS = """
 panel: {emission: 1}
@@ -83,3 +84,64 @@ def test_the_certificate_says_how_much_a_solid_grows() -> None:
     (entry,) = [each for each in made.certificate.entries if "reaches into" in each.target_law]
     assert entry.item == "`a`" and 0 < entry.residual < 1e-2
     assert not [each for each in made.certificate.entries if "gap" in each.target_law]
+
+
+SHARED_FACES = {
+    "tank of glass": (["crown 0 0.9 0", "air 0.3 0.9 1", "heavy 0.3 0.6 2"], [(1, 2), (2, 1.5), (1.5, 1)], 1.0),
+    "two liquids": (
+        ["crown 0 0.9 0", "oil 0.3 0.9 1", "heavy 0.3 0.6 2"],
+        [(1, 1.3), (1.3, 2), (2, 1.5), (1.5, 1)],
+        1.0,
+    ),
+    "tank on a panel": (["crown -1 0.9 0", "air 0.3 0.9 1", "heavy 0.3 0.6 2"], [(1, 2), (2, 1.5)], 1.5),
+}
+
+
+@pytest.mark.parametrize("case", SHARED_FACES)
+def test_of_two_faces_in_one_place_that_of_the_higher_priority_counts(case: str) -> None:
+    """A bore as long as its tube, a liquid as wide as its vessel; each is seen as if the lower solid ended there.
+
+    Plain text leaves a film of the lower solid, or loses a face; radiance inside glass counts n^2 less outside.
+    """
+    materials = MATERIALS + "air: {transmission: 1, ior: 1}\noil: {transmission: 1, ior: 1.3, fresnel: true}"
+    bodies, faces, inside = SHARED_FACES[case]
+    slabs = [slab(name, float(low), float(high), name, int(rank)) for name, low, high, rank in map(str.split, bodies)]
+    panel = PANELS["plane"].replace("[0, 0, 0]", "[0, -1, 0]")
+    expected = stack([face(*each) for each in faces]) / inside**2
+    for order in ([panel, *slabs], [*reversed(slabs), panel]):
+        made = rendered(scene(materials, "\n".join(order), lights="", camera=LOOKING_DOWN))
+        assert made.image.radiance == pytest.approx(expected, rel=HALF_FLOAT), order
+
+
+TUBE = "cylinder: {from: [0, 0, 0], to: [0, 1, 0], radius: 0.5}"
+BLOCK = "box: {min: [-1, 0, -1], max: [1, 1, 1]}"
+WEDGE = "prism: {profile: [[0, 0], [1, 0], [0, 1]], height: 1}"
+BULB = "lens: {radius_front: 1, radius_back: 0, thickness: 0.4, diameter: 1}, rotate_deg: [90, 0, 0]"
+BALL = "sphere: {center: [0, 0.5, 0], radius: 0.5}"
+
+
+@pytest.mark.parametrize(
+    ("lower", "higher", "is_flush"),
+    [
+        (TUBE, "cylinder: {from: [0, 0, 0], to: [0, 1, 0], radius: 0.3}", True),
+        (TUBE, "cylinder: {from: [0, 0.9, 0], to: [0, 0.1, 0], radius: 0.5}", True),
+        (TUBE, "cylinder: {from: [0, 0.1, 0], to: [0, 0.9, 0], radius: 0.3}", False),
+        # A ball or a tube that touches the faces around it from inside has no face in common with them.
+        (BLOCK, BALL, False),
+        (BLOCK, "cylinder: {from: [0, 0.1, 0], to: [0, 0.9, 0], radius: 1}", False),
+        (BLOCK, "cone: {from: [0, 0, 0], to: [0, 0.5, 0], radius_from: 0.4, radius_to: 0}", True),
+        (BALL, BALL, True),
+        (BALL, "sphere: {center: [0, 0.5, 0], radius: 0.4}", False),
+        (WEDGE, "prism: {profile: [[0.1, 0.1], [0.9, 0.1], [0.1, 0.9]], height: 0.5}", True),
+        (WEDGE, "prism: {profile: [[0.1, 0.1], [0.8, 0.1], [0.1, 0.8]], height: 0.5}", False),
+        (BULB, "cylinder: {from: [0, -0.1, 0], to: [0, 0.2, 0], radius: 0.5}", True),
+        ("plane: {point: [0, 1, 0], normal: [0, 1, 0]}", BLOCK, True),
+    ],
+)
+def test_what_shares_a_face_with_what_it_takes_room_from(lower: str, higher: str, is_flush: bool) -> None:
+    objects = f"""
+    - {{name: higher, {higher}, material: flint, priority: 2}}
+    - {{name: lower, {lower}, material: glass, priority: 1}}
+    """
+    found = orders(scene(MATERIALS, objects, lights="").scene, {1: 1})
+    assert found == ({0: 2, 1: 1} if is_flush else {1: 1})

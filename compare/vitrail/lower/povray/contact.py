@@ -13,6 +13,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from vitrail.lower.povray.flush import orders
 from vitrail.lower.povray.gaps import smaller
 from vitrail.lower.povray.normalise import Normalisation, thickness_of
 from vitrail.lower.povray.surface_points import surface_points
@@ -60,23 +61,28 @@ class Joined:
 
 
 def with_contacts(scene: Scene, units: Normalisation) -> Joined:
-    """Make glass reach into what its faces lie on; where two glasses meet, the lower priority, or the earlier one."""
-    found, depth = touching(scene), REACH / units.scale
-    if not found:
+    """Make glass reach into what its faces lie on; where two glasses meet, the lower priority, or the earlier one.
+
+    Then make solids reach out that share a face with one they take room from.
+    """
+    found = [(index, other) for index, other in touching(scene) if _larger(scene.objects[index], 1.0) is not None]
+    steps = orders(scene, {index: 1 for index, _ in found})
+    if not steps:
         return Joined(scene, (), {}, frozenset())
     # Spread the priorities, so that one can be raised above another without reaching a third.
     step = len(scene.objects) + 1
     objects = [item.model_copy(update={"priority": step * (item.priority or 0)}) for item in scene.objects]
     top = step + max(item.priority or 0 for item in objects)
     grown: dict[int, Grown] = {}
+    for index, count in steps.items():
+        depth = count * REACH / units.scale
+        larger = _larger(scene.objects[index], depth)
+        if larger is not None:
+            grown[index] = Grown(index, depth, 2 * depth / thickness_of(scene.objects[index].shape))
+            objects[index] = objects[index].model_copy(update={scene.objects[index].shape_key: larger.shape})
     under: dict[int, tuple[int, ...]] = {}
     pairs = set()
     for index, other in found:
-        larger = _larger(scene.objects[index], depth)
-        if larger is None:
-            continue
-        grown[index] = Grown(index, depth, 2 * depth / thickness_of(scene.objects[index].shape))
-        objects[index] = objects[index].model_copy(update={scene.objects[index].shape_key: larger.shape})
         if scene.material_of(scene.objects[other]).is_transmissive:
             pairs.add((index, other))
             higher = max(objects[other].priority or 0, 1 + (objects[index].priority or 0))

@@ -40,7 +40,10 @@ class Cut:
 
 @dataclass(frozen=True)
 class Nesting:
-    """``cuts`` of each object in the scene's order; ``hosts`` are the glasses it cuts; ``omitted`` objects are air."""
+    """``cuts`` of each object in the scene's order; ``hosts`` are the glasses it cuts; ``omitted`` objects are air.
+
+    Air is no host: it has no face of its own that light could cross first.
+    """
 
     cuts: tuple[tuple[Cut, ...], ...]
     hosts: tuple[tuple[int, ...], ...]
@@ -62,7 +65,9 @@ def nesting_of(scene: Scene, units: Normalisation, contacts: frozenset[tuple[int
         tuple(
             lower
             for lower, found in enumerate(cuts)
-            if any(cut.by == index for cut in found) and scene.material_of(scene.objects[lower]).is_transmissive
+            if lower not in air
+            and any(cut.by == index for cut in found)
+            and scene.material_of(scene.objects[lower]).is_transmissive
         )
         for index in range(len(scene.objects))
     )
