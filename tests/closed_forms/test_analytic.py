@@ -126,7 +126,7 @@ def test_a_ray_followed_to_the_screen_is_turned_by_the_deviation():
 def test_the_wedge_is_its_integral():
     edges = (mpf("0.1"), mpf("0.9"))
     assert_same(beer.wedge_mean_by_quadrature(4, mpf("0.5"), *edges), beer.wedge_mean(4, mpf("0.5"), *edges))
-    film = (("1", "1.33", "1.5"), "0.5", "0.5")
+    film = (("1", "1.33", "1.5"), "0.5", mpf("0.5"))
     assert_same(beer.absorbing_film_way_by_way(*film), beer.absorbing_film(*film))
 
 

@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from tests.commands.command_line import ROOT, SCENE, files_in, run
+from vitrail.commands.app import main
 
 MALFORMED = sorted((ROOT / "tests" / "scene" / "malformed").glob("*.yaml"))
 WRITING_VERBS = {
@@ -71,6 +72,28 @@ def test_a_wrong_setting_is_told_with_its_remedy(arguments: tuple[str, ...], wor
     assert result.exit_code == 2
     assert words in result.stderr
     assert files_in(tmp_path) == []
+
+
+@pytest.mark.parametrize("verb", ["render", "emit", "compare"])
+def test_a_place_that_cannot_be_written_is_told_and_is_no_verdict(verb: str, tmp_path: Path) -> None:
+    """A file where a folder must be. Python's own exit code for it would be 1: the scene deviates."""
+    taken = tmp_path / "taken"
+    taken.write_text("yesterday's work")
+    wanted = {"render": ("render", SCENE), "emit": ("emit", "povray", SCENE), "compare": ("compare", SCENE)}[verb]
+    result = run(*wanted, "--out", taken / "image.exr" if verb == "render" else taken)
+    assert result.exit_code == 2, result.output
+    assert f"{taken}: file exists; name another place" in result.stderr
+    assert taken.read_text() == "yesterday's work"
+
+
+def test_a_defect_of_the_program_is_no_verdict(monkeypatch: pytest.MonkeyPatch) -> None:
+    def broken() -> None:
+        raise ZeroDivisionError
+
+    monkeypatch.setattr("vitrail.commands.app.app", broken)
+    with pytest.raises(SystemExit) as ended:
+        main()
+    assert ended.value.code == 70
 
 
 def test_an_image_has_to_be_an_exr(tmp_path: Path) -> None:

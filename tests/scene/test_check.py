@@ -73,6 +73,12 @@ def test_glass_below_the_surface_of_water_needs_a_priority() -> None:
     assert any("overlaps" in each for each in errors(water))
 
 
+def test_a_sea_over_its_bed_is_no_glass_that_sank_into_the_floor() -> None:
+    """Glass that fills a half space ends at an opaque plane or nowhere."""
+    sea = "  - {name: sea, plane: {point: [0, 0.4, 0], normal: [0, 1, 0]}, material: air, priority: 0}\nlights:"
+    assert not any("cuts `sea`" in each for each in warnings(changed(("lights:", sea))))
+
+
 WARNED = {
     "a plane through glass": ([("point: [0, 0, 0]", "point: [0, 0.75, 0]")], "the plane `table` cuts `ball`"),
     "an idle material": ([("  air:", "  idle: {diffuse: 0.1}\n  air:")], "no object uses the material `idle`"),

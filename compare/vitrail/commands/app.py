@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import signal
 import sys
+import traceback
 from collections.abc import Callable, Iterator, Mapping
 from importlib import import_module
 from pathlib import Path
@@ -110,14 +111,20 @@ def vitrail(
 
 
 def main() -> None:
-    """Run the program; Ctrl-C ends it with 130, as shells expect, and SIGTERM with 143, its engines with it."""
-    from vitrail.commands.exit_code import INTERRUPTED, TERMINATED
+    """Run the program; Ctrl-C ends it with 130, as shells expect, and SIGTERM with 143, its engines with it.
+
+    A defect of the program itself ends with 70 and its traceback, and is never taken for a verdict.
+    """
+    from vitrail.commands.exit_code import DEFECT, INTERRUPTED, TERMINATED
 
     signal.signal(signal.SIGTERM, lambda number, frame: sys.exit(TERMINATED))
     try:
         app()
     except KeyboardInterrupt:
         sys.exit(INTERRUPTED)
+    except Exception:
+        traceback.print_exc()
+        sys.exit(DEFECT)
 
 
 if __name__ == "__main__":

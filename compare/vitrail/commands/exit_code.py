@@ -9,14 +9,17 @@ import typer
 
 AGREES, DEVIATES, SCENE_ERROR, NOT_TRANSLATABLE, ENGINE_FAILED, INCONCLUSIVE = range(6)
 INTERRUPTED, TERMINATED = 130, 143
+DEFECT = 70
+"""A defect of this program, as in sysexits.h. Python would end with 1, which says that a scene deviates."""
 
 
 @contextmanager
 def exit_codes() -> Iterator[None]:
     """Turn the errors that a user can cause or meet into a message and an exit code.
 
-    A wrong scene or option ends with 2, a scene that POV-Ray cannot express with 3, an engine that failed with 4,
-    Ctrl-C with 130. Any other exception is a defect of this program and keeps its traceback.
+    A wrong scene or option, or a file that cannot be read or written, ends with 2, a scene that POV-Ray cannot express
+    with 3, an engine that failed with 4, Ctrl-C with 130. Any other exception is a defect of this program and keeps its
+    traceback.
     """
     from vitrail.engines.base import EngineFailure
     from vitrail.scene.diagnostic import SceneErrors
@@ -32,6 +35,12 @@ def exit_codes() -> Iterator[None]:
     except KeyboardInterrupt:
         _say(["interrupted"])
         raise typer.Exit(INTERRUPTED) from None
+    except OSError as error:
+        if error.filename is None:
+            raise
+        what = (error.strerror or "it cannot be used").lower()
+        _say([f"{error.filename}: {what}; name another place, or free this one"])
+        raise typer.Exit(SCENE_ERROR) from None
     except Exception as error:
         from vitrail.lower.povray import NotTranslatable
 

@@ -50,8 +50,13 @@ def _check_priority(findings: Findings, first: tuple[int, Object], second: tuple
 
 
 def _check_cut(findings: Findings, index: int, plane: Object, glasses: list[tuple[int, Object]]) -> None:
-    """An opaque plane through glass is legal, but mostly a glass that has sunk into the floor."""
+    """An opaque plane through glass is legal, but mostly a glass that has sunk into the floor.
+
+    Glass that fills a half space has no other end than such a plane: a sea over its bed.
+    """
     for _, glass in glasses:
+        if isinstance(glass.shape, Plane):
+            continue
         found = overlap(plane, glass)
         if found and not _is_below(plane, glass):
             what = f"the plane `{plane.name}` cuts `{glass.name}`, which reaches {found.depth_m:.3g} m beyond it"

@@ -93,7 +93,7 @@ def _explain(error: Any, path: Path, value: Any, data: Any, top: type[BaseModel]
     if kind == "finite_number":
         return f"{name} is not a finite number", "give a number such as 1.5", False
     if kind in ("literal_error", "enum"):
-        return _explain_choice(name, value, context)
+        return _explain_choice(name, value, context, MAPPINGS.get(str(path[-1]) if path else ""))
     return _explain_type(kind, name, value, path, data, top)
 
 
@@ -105,10 +105,14 @@ _LIMITS = {
 }
 
 
-def _explain_choice(name: str, value: Any, context: Any) -> tuple[str, str, bool]:
+MAPPINGS = {"bands": "{spectral: 8}", "indirect": "{ambient: 0.5}"}
+"""Keys that take one of a few words or a mapping, with an example of it."""
+
+
+def _explain_choice(name: str, value: Any, context: Any, mapping: str | None) -> tuple[str, str, bool]:
     """A word that is none of the words allowed there."""
     expected = context.get("expected", "").replace(" or ", ", ")
-    choices = [choice.strip().strip("'") for choice in expected.split(",")]
+    choices = [choice.strip().strip("'") for choice in expected.split(",")] + ([mapping] if mapping else [])
     close = nearest(value, choices) if isinstance(value, str) else None
     if close is not None:
         return f"{name} is {_shown(value)}, which is none of its choices", f"did you mean `{close}`?", False

@@ -79,8 +79,10 @@ def _polygon(points: np.ndarray, corners: np.ndarray) -> np.ndarray:
         with np.errstate(divide="ignore", invalid="ignore"):
             crossing = a[0] + (points[:, 1] - a[1]) * (b[0] - a[0]) / (b[1] - a[1])
         inside ^= straddles & (points[:, 0] < crossing)
-        # Keep the distance to the nearest point of any edge.
+        # Keep the distance to the nearest point of any edge; a corner given twice has none.
         edge = b - a
+        if not edge.any():
+            continue
         along = np.clip((points - a) @ edge / (edge @ edge), 0, 1)
         distance = np.minimum(distance, np.linalg.norm(points - a - np.outer(along, edge), axis=1))
     return np.where(inside, distance, -distance)
