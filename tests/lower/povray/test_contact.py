@@ -7,12 +7,15 @@ the index; two glasses have one mirror between them, by their own indices, and b
 from __future__ import annotations
 
 from itertools import permutations
+from pathlib import Path
 
 import pytest
 
 from tests.lower.povray.real_povray import HALF_FLOAT, LOOKING_DOWN, lowered, plain_povray, rendered, scene
 from tests.lower.povray.test_bodies import face, slab, stack
 from vitrail.lower.povray.flush import orders
+from vitrail.scene.load import load
+from vitrail.scene.phenomenon import Phenomenon
 
 MATERIALS = """
 panel: {emission: 1}
@@ -145,3 +148,11 @@ def test_what_shares_a_face_with_what_it_takes_room_from(lower: str, higher: str
     """
     found = orders(scene(MATERIALS, objects, lights="").scene, {1: 1})
     assert found == ({0: 2, 1: 1} if is_flush else {1: 1})
+
+
+def test_the_longer_way_through_a_larger_solid_is_certified() -> None:
+    """Ink that grows by 7.5e-5 m at both faces, three steps: its depth of 8 / m changes by 1.2e-3."""
+    tumbler = load(Path(__file__).parents[3] / "scenes/calibration/tumbler.yaml")
+    entries = lowered(tumbler).certificate.of(Phenomenon.ABSORPTION)
+    (way,) = [entry for entry in entries if "the way through" in entry.source_law]
+    assert way.item == "`water`" and way.residual == pytest.approx(2 * 7.5e-5 * 8)

@@ -20,6 +20,7 @@ from vitrail.lower.povray.photons import PhotonPass
 from vitrail.lower.povray.radiosity import radiosity_entries
 from vitrail.plan.budget import Quality
 from vitrail.plan.plan import Plan
+from vitrail.scene.absorption import absorption_per_m
 from vitrail.scene.model import Scene
 from vitrail.scene.phenomenon import Phenomenon
 from vitrail.scene.vector import length
@@ -107,6 +108,7 @@ def _gaps(translation: Translation) -> Iterator[Entry]:
             RELATIVE,
             f"POV-Ray loses one of two faces nearer than 1e-4 units; the solid shrinks by {GAP:g} units",
         )
+        yield from _other_way(translation, shrunk)
 
 
 def _contacts(translation: Translation) -> Iterator[Entry]:
@@ -118,7 +120,24 @@ def _contacts(translation: Translation) -> Iterator[Entry]:
             f"a solid larger by {grown.depth_m:.3g} m, which reaches into the other",
             grown.share,
             RELATIVE,
-            f"POV-Ray loses one of two faces nearer than 1e-4 units; the solid grows by {REACH:g} units",
+            f"POV-Ray loses one of two faces nearer than 1e-4 units; the solid grows by steps of {REACH:g} units",
+        )
+        yield from _other_way(translation, grown)
+
+
+def _other_way(translation: Translation, changed: Shrunk | Grown) -> Iterator[Entry]:
+    """Light crosses a solid of another size on a way that is longer or shorter by both its faces."""
+    scene = translation.scene
+    absorption = max(absorption_per_m(scene.material_of(scene.objects[changed.index])))
+    if absorption > 0 and translation.plan.requires(Phenomenon.ABSORPTION):
+        yield Entry(
+            Phenomenon.ABSORPTION,
+            f"O{changed.index + 1}",
+            "the way through the solid as written",
+            f"longer or shorter by {2 * changed.depth_m:.3g} m",
+            2 * changed.depth_m * absorption,
+            RELATIVE,
+            "straight through two faces, in the channel that absorbs most",
         )
 
 
