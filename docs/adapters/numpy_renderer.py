@@ -82,12 +82,12 @@ def irradiance(lights: list[dict[str, Any]], point: np.ndarray, normal: np.ndarr
 
 
 def write(path: str, radiance: np.ndarray) -> None:
-    """One part, channels R, G, B, float, linear."""
-    height, width, _ = radiance.shape
-    target = oiio.ImageOutput.create(path)
-    target.open(path, oiio.ImageSpec(width, height, 3, oiio.FLOAT))
-    target.write_image(np.ascontiguousarray(radiance, dtype=np.float32))
-    target.close()
+    """One part, channels R, G, B, float, linear. OpenImageIO raises nothing: ask it whether it wrote."""
+    Path(path).parent.mkdir(parents=True, exist_ok=True)
+    image = oiio.ImageBuf(np.ascontiguousarray(radiance, dtype=np.float32))
+    image.set_write_format(oiio.FLOAT)
+    if not image.write(path):
+        sys.exit(f"{path}: {image.geterror()}")
 
 
 if __name__ == "__main__":

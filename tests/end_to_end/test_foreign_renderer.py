@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import importlib.util
 import json
+import subprocess
+import sys
 from collections.abc import Callable
 from pathlib import Path
 from types import ModuleType
@@ -67,6 +69,15 @@ def judged(folder: Path, **rest: object) -> tuple[Results, SceneResult]:
     """Its image of the card by the closed form alone; the card stands last in the results."""
     results = score(load(CARD), {"candidate": folder / f"{CARD.stem}.exr"}, folder / "out", **rest)  # type: ignore[arg-type]
     return results, results.scenes[-1]
+
+
+def test_its_program_makes_the_folder_of_the_guide(tmp_path: Path) -> None:
+    """`images/camera.exr` of the guide, where no one made `images`: it once wrote nothing and said nothing."""
+    scene = tmp_path / "scene.json"
+    scene.write_text(json.dumps(lowered(load(CARD))), encoding="utf-8")
+    program, image = ROOT / "docs" / "adapters" / "numpy_renderer.py", tmp_path / "images" / "card.exr"
+    subprocess.run([sys.executable, program, scene, image], check=True)
+    assert image.stat().st_size > 0
 
 
 def test_a_renderer_that_conforms_is_judged(written: Write) -> None:
