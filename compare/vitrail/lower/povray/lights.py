@@ -106,7 +106,7 @@ def _sources(
             return _patch(light, index, emitter, scene, units, grid, refusals)
         case Environment():
             if emitter.radiance is None:
-                what = "an environment image has no POV-Ray counterpart here yet"
+                what = "an environment image is rendered by the tracer alone"
                 raise NotTranslatable([refusals.at(what, "use a constant `radiance`", "lights", index, "environment")])
             # Each direction brings radiance times its solid angle.
             radiance = times(emitter.radiance, 4 * math.pi)
