@@ -63,6 +63,11 @@ TEST(MeshFile, GlassMustBeClosedAndOutward) {
     if (kind == "f") lines >> a >> b >> c >> d, inverted += "f " + d + " " + c + " " + b + " " + a + "\n";
   }
   EXPECT_THROW(Intersector{scene_of(mesh_of(write_file("inverted.obj", inverted)))}, InputError);
+  // A prism over a bow tie, whose smaller half is inside out: closed, and of positive volume.
+  const std::string bow_tie =
+      "v -2 -1 -1\nv 1 -1 -1\nv -1 1 -1\nv 0.5 1 -1\nv -2 -1 1\nv 1 -1 1\nv -1 1 1\nv 0.5 1 1\n"
+      "f 1 3 2\nf 1 4 3\nf 5 6 7\nf 5 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+  EXPECT_THROW(Intersector{scene_of(mesh_of(write_file("bow_tie.obj", bow_tie)))}, InputError);
   Scene opaque = scene_of(mesh_of(write_file("open.obj", open)));
   opaque.materials[0] = diffuse(0.5);
   EXPECT_NO_THROW(Intersector{opaque});

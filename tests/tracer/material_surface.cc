@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "build_scene.h"
+#include "build_mesh.h"
 #include "material/path.h"
 
 namespace vitrail {
@@ -111,6 +111,29 @@ TEST(Slab, InTwoTouchingPiecesIsOneSlab) {
     EXPECT_LT(length(one[1].point - two[1].point), 1e-15);
     EXPECT_EQ(one[1].throughput, two[1].throughput);
     EXPECT_EQ(one[1].direction_out, two[1].direction_out);
+  }
+}
+
+/// The slab as twelve triangles.
+MeshShape mesh_slab(const char* name, double low, double high) {
+  const std::string a = std::to_string(low), b = std::to_string(high);
+  return mesh_of(write_file(name, "v -9 " + a + " 9\nv 9 " + a + " 9\nv 9 " + a + " -9\nv -9 " + a + " -9\nv -9 " + b +
+                                      " 9\nv 9 " + b + " 9\nv 9 " + b + " -9\nv -9 " + b + " -9\n" +
+                                      "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n"));
+}
+
+TEST(Slab, InTwoMeshesThatTouchIsOneSlab) {
+  for (double angle : {0.0, 33.0, 80.0}) {
+    SceneBuilder whole, halves;
+    whole.add("slab", slab_between(-0.5, 0), whole.add(glass(1.5, {0.5, 0.5, 0.5}, true)));
+    const std::uint32_t clear = halves.add(glass(1.5, {0.5, 0.5, 0.5}, true));
+    halves.add("lower", mesh_slab("lower.obj", -0.5, -0.2), clear);
+    halves.add("upper", mesh_slab("upper.obj", -0.2, 0), clear);
+    const auto one = follow_in(whole.scene, falling(angle, {0.1, 0, 0.2}));
+    const auto two = follow_in(halves.scene, falling(angle, {0.1, 0, 0.2}));
+    ASSERT_EQ(events(two), "enter exit escape");
+    EXPECT_LT(length(one[1].point - two[1].point), 1e-14);
+    EXPECT_NEAR(one[1].throughput.r, two[1].throughput.r, 1e-15);
   }
 }
 

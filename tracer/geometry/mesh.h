@@ -34,6 +34,7 @@ class Mesh {
   double coordinate_scale() const { return scale_; }
 
  private:
+  std::string fault_of_outside() const;
   double position_error(Vec3 point) const { return 0x1p-48 * (largest_coordinate(point) + scale_); }
 
   std::vector<Vec3> vertices_, normals_;  // normals_ is empty for a flat mesh

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from vitrail.scene.check_lights import check_lights
 from vitrail.scene.check_materials import check_materials
+from vitrail.scene.check_meshes import check_meshes
 from vitrail.scene.check_shapes import check_shapes
 from vitrail.scene.check_sizes import check_sizes
 from vitrail.scene.check_solids import check_solids
@@ -44,11 +45,15 @@ class CheckResult:
 
 
 def check(loaded: Loaded) -> list[Diagnostic]:
-    """All errors and warnings about a scene whose types are right, in the order of the file. Reads no mesh or image."""
+    """All errors and warnings about a scene whose types are right, in the order of the file.
+
+    Reads meshes and no image.
+    """
     findings = Findings(loaded)
     check_sizes(findings)
     check_materials(findings)
     check_shapes(findings)
+    check_meshes(findings)
     check_solids(findings)
     check_lights(findings)
     check_views(findings)

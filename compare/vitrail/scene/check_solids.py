@@ -12,7 +12,7 @@ from vitrail.scene.overlap import overlap
 
 def check_solids(findings: Findings) -> None:
     """Refuse glass without an inside, and overlapping glass without different priorities; warn of cut-through glass."""
-    scene = findings.scene
+    scene = findings.with_full_paths
     glasses: list[tuple[int, Object]] = []
     for index, item in enumerate(scene.objects):
         if not scene.material_of(item).is_transmissive:

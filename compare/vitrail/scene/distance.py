@@ -2,19 +2,32 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Sequence
 from typing import assert_never
 
 import numpy as np
 
 from vitrail.scene.inside import depth_in
+from vitrail.scene.mesh_of import solid_of
 from vitrail.scene.model import Box, Cone, Cylinder, Disc, Lens, Mesh, Object, Plane, Prism, Rectangle, Sphere
 from vitrail.scene.placement import place
 from vitrail.scene.vector import Vec, cross, dot, length, scale, subtract, unit
 
 
+def distances_to_surface(item: Object, points: Sequence[Vec]) -> list[float]:
+    """``distance_to_surface`` of each point; infinite where it is not known."""
+    placed = place(item)
+    if isinstance(placed.shape, Mesh) and points and (solid := solid_of(placed)) is not None:
+        return [float(each) for each in solid.distance(np.array(points, float))]
+    found = [distance_to_surface(item, point) for point in points]
+    return [math.inf if each is None else each for each in found]
+
+
 def distance_to_surface(item: Object, point: Vec) -> float | None:
-    """Distance in metres: zero on the surface, elsewhere at most the true one; None for a mesh, not read here."""
-    shape = place(item).shape
+    """Distance in metres: zero on the surface, elsewhere at most the true one; None for a mesh without a full path."""
+    placed = place(item)
+    shape = placed.shape
     match shape:
         case Sphere() | Plane() | Box() | Cylinder() | Cone() | Prism() | Lens():
             return abs(float(depth_in(item, np.array([point], float))[0]))
@@ -26,7 +39,8 @@ def distance_to_surface(item: Object, point: Vec) -> float | None:
             aside = length(subtract(away, scale(normal, height)))
             return length((max(0.0, aside - shape.radius), height, 0.0))
         case Mesh():
-            return None
+            solid = solid_of(placed)
+            return None if solid is None else float(solid.distance(np.array([point], float))[0])
         case _:
             assert_never(shape)
 

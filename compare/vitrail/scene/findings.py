@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import cached_property
 
 from vitrail.scene.diagnostic import Diagnostic, Severity
 from vitrail.scene.load import Loaded
+from vitrail.scene.mesh_of import with_full_paths
 from vitrail.scene.model import Scene
 
 
@@ -20,6 +22,11 @@ class Findings:
     @property
     def scene(self) -> Scene:
         return self.loaded.scene
+
+    @cached_property
+    def with_full_paths(self) -> Scene:
+        """The scene with its meshes where they can be read."""
+        return with_full_paths(self.scene, self.loaded.path.parent)
 
     @property
     def broken_objects(self) -> set[int]:

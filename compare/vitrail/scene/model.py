@@ -12,7 +12,7 @@ from __future__ import annotations
 import math
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, model_validator
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, PrivateAttr, model_validator
 
 from vitrail.scene.phenomenon import Phenomenon
 
@@ -350,6 +350,7 @@ class Mesh(Part):
 
     file: str
     smooth: Annotated[bool, Field(strict=True)] = True
+    _moved_m: float = PrivateAttr(default=0.0)  # outwards, by a translation; no matter of a scene file; see mesh_of
 
 
 Shape = Sphere | Plane | Rectangle | Disc | Box | Cylinder | Cone | Prism | Lens | Mesh

@@ -2,18 +2,22 @@
 
 Exact for sphere and sphere, sphere and box, box and box (turned or not), and for a half space with any of them. Every
 other pair is searched for a point inside both: a point found proves the overlap, since the sign of ``depth_in`` is
-exact; none found is no proof, although the search cannot miss much for convex shapes. Meshes are not tested.
+exact; none found is no proof, although the search cannot miss much for convex shapes. A mesh is asked at points a
+hair behind its faces, which finds what reaches into it or out of it over more than a few of them.
 """
 
 from __future__ import annotations
 
 import itertools
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import assert_never
 
 import numpy as np
 
-from vitrail.scene.inside import depth_in
+from vitrail.scene.inside import depth_in, is_inside
+from vitrail.scene.mesh_of import solid_of
+from vitrail.scene.mesh_solid import MeshSolid
 from vitrail.scene.model import Box, Cone, Cylinder, Disc, Lens, Mesh, Object, Plane, Prism, Rectangle, Sphere
 from vitrail.scene.placement import Placed, place
 
@@ -22,6 +26,8 @@ TOUCH = 1e-9
 
 _STARTS = 4096
 _ROUNDS = 40
+_IN_BALL = 64
+_DEEPEST = 16
 
 
 @dataclass(frozen=True)
@@ -126,7 +132,9 @@ def _searched_depth(a: Object, b: Object, first: Placed, second: Placed) -> floa
     """The largest depth inside both that a search finds: random points, then ever smaller steps from the best."""
     rough = _ball_around(first), _ball_around(second)
     finite = [ball for ball in rough if ball is not None]
-    if not finite or any(isinstance(each.shape, Mesh) for each in (first, second)):
+    if any(isinstance(each.shape, Mesh) for each in (first, second)):
+        return _depth_with_mesh(a, b, _mesh(first), _mesh(second))
+    if not finite:
         return -np.inf
     if len(finite) == 2 and np.linalg.norm(finite[0][0] - finite[1][0]) > finite[0][1] + finite[1][1]:
         return -np.inf
@@ -148,6 +156,44 @@ def _searched_depth(a: Object, b: Object, first: Placed, second: Placed) -> floa
         else:
             step *= 0.5
     return depth
+
+
+def _mesh(placed: Placed) -> MeshSolid | None:
+    return solid_of(placed) if isinstance(placed.shape, Mesh) else None
+
+
+@lru_cache(maxsize=1024)
+def _depth_with_mesh(a: Object, b: Object, mesh_a: MeshSolid | None, mesh_b: MeshSolid | None) -> float:
+    """A depth that both solids have in common, one of which is a mesh; the largest of those at a few points."""
+    random = np.random.default_rng(0)
+    balls = [ball for ball in (_ball_around(place(a)), _ball_around(place(b))) if ball is not None]
+    points = [center + radius * random.uniform(-1, 1, (_IN_BALL, 3)) for center, radius in balls]
+    inwards = [np.zeros((_IN_BALL, 3)) for _ in balls]
+    for solid in (mesh_a, mesh_b):
+        if solid is not None:
+            points.append(solid.inner_points())
+            inwards.append(-solid.normals[solid.sample])
+    if not points:
+        return -np.inf
+    found, way = np.concatenate(points), np.concatenate(inwards)
+    depths = _common_depth(a, b, found)
+    best = np.argsort(depths)[-_DEEPEST:]
+    best = best[depths[best] > 0]
+    if len(best) == 0:
+        return float(depths.max())
+    # Go from the face of one half as far in as the other is deep there.
+    deep = np.maximum(depth_in(a, found[best]), depth_in(b, found[best]))
+    further = _common_depth(a, b, found[best] + 0.5 * deep[:, None] * way[best])
+    return float(max(depths[best].max(), further.max()))
+
+
+def _common_depth(a: Object, b: Object, points: np.ndarray) -> np.ndarray:
+    """The lesser depth (n,) in two solids, -inf outside either."""
+    depths = np.full(len(points), -np.inf)
+    inside = is_inside(a, points)
+    inside[inside] = is_inside(b, points[inside])
+    depths[inside] = np.minimum(depth_in(a, points[inside]), depth_in(b, points[inside]))
+    return depths
 
 
 def _ball_around(placed: Placed) -> tuple[np.ndarray, float] | None:
@@ -183,6 +229,8 @@ def _centered(points: np.ndarray) -> tuple[np.ndarray, float]:
 
 def _size(placed: Placed) -> float:
     """The size of the numbers that describe a solid, for tolerances, metres."""
+    if isinstance(placed.shape, Mesh) and (solid := solid_of(placed)) is not None:
+        return float(np.abs(solid.triangles.vertices).max()) + solid.size
     ball = _ball_around(placed)
     if ball is None:
         return float(np.linalg.norm(placed.shape.point)) if isinstance(placed.shape, Plane) else 0.0

@@ -72,6 +72,40 @@ def test_two_clear_panes_mirror_once_where_they_meet(priorities: tuple[int, int]
     assert seen(below, *bodies) == pytest.approx(expected, rel=HALF_FLOAT)
 
 
+def mesh_slab(folder: Path, name: str, low: float, high: float, material: str, priority: int = 0) -> str:
+    """The slab as twelve triangles in a file."""
+    corners = [(x, y, z) for y in (low, high) for x, z in ((-4, 4), (4, 4), (4, -4), (-4, -4))]
+    faces = ["1 4 3 2", "5 6 7 8", "1 2 6 5", "2 3 7 6", "3 4 8 7", "4 1 5 8"]
+    lines = [f"v {x} {y} {z}" for x, y, z in corners] + [f"f {face}" for face in faces]
+    (folder / f"{name}.obj").write_text("\n".join(lines))
+    file = f"{{file: {folder / name}.obj, smooth: false}}"
+    return f"- {{name: {name}, mesh: {file}, material: {material}, priority: {priority}}}"
+
+
+@pytest.mark.parametrize("panel", PANELS)
+def test_a_mesh_on_a_panel_is_in_contact(panel: str, tmp_path: Path) -> None:
+    block = mesh_slab(tmp_path, "a", 0, 0.5, "glass")
+    assert seen(PANELS[panel], block) == pytest.approx(0.5 / 1.5**2, rel=HALF_FLOAT)
+
+
+@pytest.mark.parametrize("priorities", [(0, 0), (0, 1)])
+def test_two_cemented_meshes_of_one_glass_are_one_pane(priorities: tuple[int, int], tmp_path: Path) -> None:
+    """Air between them would leave 0.857 instead of 0.923."""
+    panes = [mesh_slab(tmp_path, name, low, low + 0.4, "crown", priority) for name, low, priority in
+             (("a", 0, priorities[0]), ("b", 0.4, priorities[1]))]  # fmt: skip
+    below = PANELS["plane"].replace("[0, 0, 0]", "[0, -1, 0]")
+    expected = stack([face(1, 1.5), face(1.5, 1)])
+    assert seen(below, *panes) == pytest.approx(expected, rel=HALF_FLOAT)
+
+
+@pytest.mark.parametrize("low", [0.5, 0.4])
+def test_meshes_of_two_glasses_mirror_once_where_they_meet_or_overlap(low: float, tmp_path: Path) -> None:
+    panes = [mesh_slab(tmp_path, "a", 0, 0.5, "crown"), mesh_slab(tmp_path, "b", low, 0.9, "heavy", 1)]
+    below = PANELS["plane"].replace("[0, 0, 0]", "[0, -1, 0]")
+    expected = stack([face(1, 1.5), face(1.5, 2), face(2, 1)])
+    assert seen(below, *panes) == pytest.approx(expected, rel=HALF_FLOAT)
+
+
 def test_photons_land_on_the_table_inside_the_glass() -> None:
     """Light through the tinted upper face; what the table scatters leaves through it, less by n^2."""
     materials = "card: {diffuse: 0.5}\nglass: {transmission: 0.5, ior: 1.5}"
@@ -82,8 +116,10 @@ def test_photons_land_on_the_table_inside_the_glass() -> None:
     assert made.mean[0] == pytest.approx(0.5 * 0.5 * 0.5 / 1.5**2, rel=1 / 128)
 
 
-def test_the_certificate_says_how_much_a_solid_grows() -> None:
-    made = lowered(scene(MATERIALS, "\n".join([PANELS["plane"], slab("a", 0, 0.5, "glass")]), lights=""))
+@pytest.mark.parametrize("is_mesh", [False, True])
+def test_the_certificate_says_how_much_a_solid_grows(is_mesh: bool, tmp_path: Path) -> None:
+    block = mesh_slab(tmp_path, "a", 0, 0.5, "glass") if is_mesh else slab("a", 0, 0.5, "glass")
+    made = lowered(scene(MATERIALS, "\n".join([PANELS["plane"], block]), lights=""))
     (entry,) = [each for each in made.certificate.entries if "reaches into" in each.target_law]
     assert entry.item == "`a`" and 0 < entry.residual < 1e-2
     assert not [each for each in made.certificate.entries if "gap" in each.target_law]

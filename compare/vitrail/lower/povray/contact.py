@@ -14,15 +14,15 @@ from dataclasses import dataclass
 import numpy as np
 
 from vitrail.lower.povray.flush import orders
-from vitrail.lower.povray.gaps import smaller
-from vitrail.lower.povray.normalise import Normalisation, thickness_of
+from vitrail.lower.povray.gaps import smaller, thickness_of_placed
+from vitrail.lower.povray.normalise import Normalisation
 from vitrail.lower.povray.surface_points import surface_points
-from vitrail.scene.distance import distance_to_surface
+from vitrail.scene.distance import distances_to_surface
 from vitrail.scene.inside import is_solid
 from vitrail.scene.model import Object, Scene
 from vitrail.scene.overlap import TOUCH, overlap
 from vitrail.scene.placement import Frame, Placed, place
-from vitrail.scene.vector import length
+from vitrail.scene.vector import Vec, length
 
 REACH = 8e-4
 """Units by which glass reaches into what it lies on: twice the hair that its cut stays away [P 7]."""
@@ -78,7 +78,7 @@ def with_contacts(scene: Scene, units: Normalisation) -> Joined:
         depth = count * REACH / units.scale
         larger = _larger(scene.objects[index], depth)
         if larger is not None:
-            grown[index] = Grown(index, depth, 2 * depth / thickness_of(scene.objects[index].shape))
+            grown[index] = Grown(index, depth, 2 * depth / thickness_of_placed(place(scene.objects[index])))
             objects[index] = objects[index].model_copy(update={scene.objects[index].shape_key: larger.shape})
     under: dict[int, tuple[int, ...]] = {}
     pairs = set()
@@ -110,16 +110,17 @@ def _lies_on(a: Object, b: Object) -> bool:
     """Whether the surfaces of two bodies that share no room share an area."""
     placed_a, placed_b = place(a), place(b)
     points_a, points_b = surface_points(placed_a, placed_b), surface_points(placed_b, placed_a)
-    shared = [point for point in points_a if _is_on(b, point)] + [point for point in points_b if _is_on(a, point)]
+    shared = [*_on(b, points_a), *_on(a, points_b)]
     if len(shared) < 3 or overlap(a, b):
         return False
     spread = np.linalg.svd(np.subtract(shared, np.mean(shared, axis=0)), compute_uv=False)
     return bool(spread[1] > AREA * spread[0])
 
 
-def _is_on(item: Object, point: tuple[float, float, float]) -> bool:
-    away = distance_to_surface(item, point)
-    return away is not None and away <= TOUCH * max(1.0, length(point))
+def _on(item: Object, points: list[Vec]) -> list[Vec]:
+    """The points that lie on the surface of a body."""
+    away = distances_to_surface(item, points)
+    return [point for point, each in zip(points, away, strict=True) if each <= TOUCH * max(1.0, length(point))]
 
 
 def _larger(item: Object, depth: float) -> Placed | None:

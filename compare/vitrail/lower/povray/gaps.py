@@ -13,7 +13,8 @@ from typing import assert_never
 
 from vitrail.lower.povray.normalise import Normalisation, thickness_of
 from vitrail.lower.povray.surface_points import surface_points
-from vitrail.scene.distance import distance_to_surface
+from vitrail.scene.distance import distances_to_surface
+from vitrail.scene.mesh_of import moved, solid_of
 from vitrail.scene.model import Box, Cone, Cylinder, Disc, Lens, Mesh, Object, Plane, Prism, Rectangle, Scene, Sphere
 from vitrail.scene.overlap import overlap
 from vitrail.scene.placement import Frame, Placed, place
@@ -57,7 +58,7 @@ def with_gaps(scene: Scene, units: Normalisation, contacts: Collection[tuple[int
             depth = GAP / units.scale
             inner = smaller(placed, depth)
             if inner is not None:
-                shrunk.append(Shrunk(index, depth, 2 * depth / thickness_of(placed.shape)))
+                shrunk.append(Shrunk(index, depth, 2 * depth / thickness_of_placed(placed)))
                 placed = inner
         found.append(placed)
     return Placement(tuple(found), tuple(shrunk))
@@ -73,11 +74,19 @@ def _touches_any(item: Object, others: list[Object], near_m: float) -> bool:
 
 
 def surface_distance(a: Object, b: Object) -> float:
-    """The least distance found between the surfaces of two objects, metres; infinite with a mesh."""
+    """The least distance found between the surfaces of two objects, metres."""
     placed_a, placed_b = place(a), place(b)
-    from_a = [distance_to_surface(b, point) for point in surface_points(placed_a, placed_b)]
-    from_b = [distance_to_surface(a, point) for point in surface_points(placed_b, placed_a)]
-    return min((each for each in [*from_a, *from_b] if each is not None), default=math.inf)
+    from_a = distances_to_surface(b, surface_points(placed_a, placed_b))
+    from_b = distances_to_surface(a, surface_points(placed_b, placed_a))
+    return min([*from_a, *from_b], default=math.inf)
+
+
+def thickness_of_placed(placed: Placed) -> float:
+    """The smallest thickness of a solid, metres: of a mesh that of the walls under some of its faces."""
+    if not isinstance(placed.shape, Mesh):
+        return thickness_of(placed.shape)
+    solid = solid_of(placed)
+    return math.inf if solid is None else solid.thickness()
 
 
 def smaller(placed: Placed, depth: float) -> Placed | None:
@@ -96,7 +105,9 @@ def smaller(placed: Placed, depth: float) -> Placed | None:
             return Placed(shape.model_copy(update={**ends, "radius": shape.radius - depth}), placed.frame)
         case Cone() | Prism() | Lens():
             return _scaled(placed, 1 - 2 * depth / thickness_of(shape))
-        case Plane() | Rectangle() | Disc() | Mesh():
+        case Mesh():
+            return Placed(moved(shape, -depth), placed.frame)
+        case Plane() | Rectangle() | Disc():
             return None
         case _:
             assert_never(shape)

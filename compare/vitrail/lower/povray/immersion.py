@@ -11,7 +11,7 @@ import numpy as np
 
 from vitrail.lower.povray.surface_points import surface_points
 from vitrail.optics.dispersion import reference_ior
-from vitrail.scene.inside import depth_in, is_solid
+from vitrail.scene.inside import is_inside, is_solid
 from vitrail.scene.model import Object, Scene
 from vitrail.scene.placement import place
 from vitrail.scene.vector import Vec
@@ -40,7 +40,7 @@ def _index_around(scene: Scene, points: list[Vec], but: Object | None) -> float:
     for item in scene.objects:
         if item is but or not is_solid(item) or not scene.material_of(item).is_transmissive:
             continue
-        holds = bool((depth_in(item, np.array(points, float)) > 0).all())
+        holds = bool(is_inside(item, np.array(points, float)).all())
         if holds and (ruling is None or (item.priority or 0) > (ruling.priority or 0)):
             ruling = item
     return reference_ior(scene.material_of(ruling)) if ruling is not None else 1.0

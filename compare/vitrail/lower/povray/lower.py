@@ -21,7 +21,7 @@ from vitrail.lower.povray.gaps import with_gaps
 from vitrail.lower.povray.indices import Indices
 from vitrail.lower.povray.light_factor import light_factor
 from vitrail.lower.povray.lights import sources
-from vitrail.lower.povray.meshes import meshes_of
+from vitrail.lower.povray.meshes import bounds_of_mesh, meshes_of
 from vitrail.lower.povray.modes import Mode, mode_of
 from vitrail.lower.povray.nesting import nesting_of
 from vitrail.lower.povray.normalise import Normalisation, normalise
@@ -36,6 +36,7 @@ from vitrail.plan.budget import Quality, Settings
 from vitrail.plan.plan import Plan
 from vitrail.plan.reduced import reduced
 from vitrail.scene.load import Loaded
+from vitrail.scene.mesh_of import with_full_paths
 from vitrail.scene.model import Scene
 from vitrail.scene.phenomenon import Phenomenon
 from vitrail.scene.print import scene_hash
@@ -90,11 +91,11 @@ class PovrayScene:
 def lower_povray(scene: Scene, plan: Plan, settings: Settings, loaded: Loaded | None = None) -> PovrayScene:
     """The runs and the certificate. Raises NotTranslatable with the scene's lines (taken from ``loaded``)."""
     refusals, identity = Refusals(loaded), scene_hash(scene)
-    scene = reduced(scene, plan)
+    scene = with_full_paths(reduced(scene, plan), loaded.path.parent if loaded else Path())
     refuse_unsupported(scene, plan, refusals)
-    meshes = meshes_of(scene, loaded.path.parent if loaded else Path(), refusals)
+    meshes = meshes_of(scene, refusals)
     radius = settings.gather_radius_m if plan.requires(Phenomenon.CAUSTIC) else 0.0
-    units = normalise(scene, [mesh.bounds for mesh in meshes.values()], refusals, radius)
+    units = normalise(scene, [bounds_of_mesh(mesh) for mesh in meshes.values()], refusals, radius)
     joined = with_contacts(scene, units)
     scene = joined.scene
     mode = mode_of(scene, plan, settings)
@@ -108,7 +109,7 @@ def lower_povray(scene: Scene, plan: Plan, settings: Settings, loaded: Loaded | 
     photons = photon_pass(scene, plan, settings, lights["a"], len(mode.bands), targets, units, refusals)
     depth, placement = trace_depth(plan, settings.quality), with_gaps(scene, units, joined.contacts)
     nesting = nesting_of(scene, units, joined.pairs)
-    objects = ObjectText(scene, plan, units, photons is not None, indices, meshes, nesting, joined.under)
+    objects = ObjectText(scene, plan, units, photons is not None, indices, nesting, joined.under)
     text = SceneText(scene, plan, units, lights, photons, depth, placement, objects, settings.quality)
     translation = Translation(
         scene=scene,

@@ -9,12 +9,11 @@ from vitrail.lower.povray.exposure import Exposure, Triplet
 from vitrail.lower.povray.immersion import index_around, seen_from_outside
 from vitrail.lower.povray.indices import Indices
 from vitrail.lower.povray.materials import texture_sdl
-from vitrail.lower.povray.meshes import Meshes, mesh_parts
 from vitrail.lower.povray.nesting import Cut, Nesting
 from vitrail.lower.povray.normalise import Normalisation
 from vitrail.lower.povray.roughness import Bumps, bumps_of
 from vitrail.lower.povray.sdl import block, rgb
-from vitrail.lower.povray.shapes import Primitive, primitive
+from vitrail.lower.povray.shapes import primitive
 from vitrail.lower.povray.surface import Surface, specular_pool
 from vitrail.optics.dispersion import reference_ior
 from vitrail.plan.plan import Plan
@@ -39,7 +38,6 @@ class ObjectText:
     units: Normalisation
     has_photons: bool
     indices: Indices
-    meshes: Meshes
     nesting: Nesting
     under: Mapping[int, tuple[int, ...]]
 
@@ -47,7 +45,7 @@ class ObjectText:
         """The object in one run; ``placed`` is its shape, where a gap has been opened already."""
         item, cuts = self.scene.objects[index], self.nesting.cuts[index]
         material = self.scene.material_of(item)
-        shape = self._shape(item, placed)
+        shape = primitive(placed, self.units)
         after = [
             *self._textures(index, placed, exposure),
             self._interior(material, exposure, is_shooting),
@@ -78,17 +76,12 @@ class ObjectText:
 
     def _without(self, host: int, index: int) -> str:
         """The room of a lower solid without those that other solids take from it."""
-        shape = self._shape(self.scene.objects[host], place(self.scene.objects[host]))
+        shape = primitive(place(self.scene.objects[host]), self.units)
         body = block(shape.keyword, shape.parts)
         others = [primitive(cut.placed, self.units) for cut in self.nesting.cuts[host] if cut.by != index]
         if not others:
             return body
         return block("difference", [body, *(block(other.keyword, other.parts) for other in others)])
-
-    def _shape(self, item: Object, placed: Placed) -> Primitive:
-        if item.name in self.meshes:
-            return Primitive("mesh2", tuple(mesh_parts(self.meshes[item.name], self.units)))
-        return primitive(placed, self.units)
 
     def _texture(
         self, material: Material, placed: Placed, exposure: Exposure, bumps: Bumps | None = None, seen: float = 1.0

@@ -10,6 +10,7 @@ import math
 from dataclasses import dataclass
 from typing import assert_never
 
+from vitrail.lower.povray.meshes import mesh_parts
 from vitrail.lower.povray.normalise import Normalisation
 from vitrail.lower.povray.sdl import block, matrix, number, vector
 from vitrail.scene.model import Box, Cone, Cylinder, Disc, Lens, Mesh, Plane, Prism, Rectangle, Sphere
@@ -53,7 +54,7 @@ def primitive(placed: Placed, normalisation: Normalisation) -> Primitive:
         case Lens():
             return _lens(shape, placed.frame, units)
         case Mesh():
-            raise ValueError("a mesh is written from its triangles, see meshes.py")
+            return Primitive("mesh2", mesh_parts(placed, units))
         case _:
             assert_never(shape)
 

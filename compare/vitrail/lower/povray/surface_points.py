@@ -6,6 +6,7 @@ import math
 from itertools import product
 from typing import assert_never
 
+from vitrail.scene.mesh_of import solid_of
 from vitrail.scene.model import Box, Cone, Cylinder, Disc, Lens, Mesh, Plane, Prism, Rectangle, Sphere
 from vitrail.scene.placement import Placed
 from vitrail.scene.surface import frame_of
@@ -18,7 +19,7 @@ AXES: tuple[Vec, ...] = ((1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1)
 
 
 def surface_points(placed: Placed, towards: Placed) -> list[Vec]:
-    """World points on ``placed``; a ball also gives the points that face ``towards``. A plane and a mesh give none."""
+    """World points on ``placed``; a ball also gives the points that face ``towards``. A plane gives none."""
     shape, frame = placed.shape, placed.frame
     match shape:
         case Sphere():
@@ -43,7 +44,10 @@ def surface_points(placed: Placed, towards: Placed) -> list[Vec]:
             vertices: list[Vec] = [(0.0, 0.0, -half), (0.0, 0.0, half)]
             rim = _rim((0.0, 0.0, 0.0), (0.0, 0.0, 1.0), shape.diameter / 2)[1:]
             return [frame.point(point) for point in [*vertices, *rim]]
-        case Plane() | Mesh():
+        case Mesh():
+            solid = solid_of(placed)
+            return [] if solid is None else [(x, y, z) for x, y, z in solid.surface_points().tolist()]
+        case Plane():
             return []
         case _:
             assert_never(shape)

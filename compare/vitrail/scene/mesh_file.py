@@ -1,4 +1,4 @@
-"""Triangles from a PLY or OBJ file, in the world, as POV-Ray gets them.
+"""Triangles from a PLY or OBJ file, in the world.
 
 Vertex normals are those of the file, or for a smooth mesh without any the mean of the neighbouring faces, weighted by
 their angle at the vertex, as in our tracer. Polygons are cut into fans.
@@ -11,7 +11,6 @@ from pathlib import Path
 
 import numpy as np
 
-from vitrail.plan.bounds import Bounds
 from vitrail.scene.model import Mesh
 from vitrail.scene.placement import Frame
 
@@ -40,9 +39,9 @@ class Triangles:
     normals: np.ndarray | None
 
     @property
-    def bounds(self) -> Bounds:
-        low, high = self.vertices.min(axis=0), self.vertices.max(axis=0)
-        return Bounds((low[0], low[1], low[2]), (high[0], high[1], high[2]))
+    def corners(self) -> np.ndarray:
+        """The corners of every face, (m, 3, 3)."""
+        return self.vertices[self.faces]
 
 
 def read_triangles(path: Path, mesh: Mesh, frame: Frame) -> Triangles:
