@@ -100,8 +100,9 @@ def test_only_knobs_with_a_meaning_are_turned(scene: str, knobs: set[str]) -> No
     assert turned == knobs
 
 
-def test_only_the_tracer_counts_photons_in_pixels() -> None:
+def test_only_the_tracer_counts_light_in_pixels() -> None:
     loaded = load(SCENES / "ball_lens.yaml").scene
     tried = matrix(loaded, analyse(loaded), 0.01, "normal")
-    assert {each.engine for each in tried if each.settings.get("solver") == "light_bins"} == {"tracer"}
+    for solver in ("light_bins", "beams"):
+        assert {each.engine for each in tried if each.settings.get("solver") == solver} == {"tracer"}
     assert len({(each.engine, each.seed, each.label) for each in tried}) == len(tried)

@@ -24,6 +24,7 @@ enum class Purpose : std::uint32_t {
   kDiffuseBounce,
   kRoulette,
   kPilot,
+  kBeamLattice,
 };
 
 /// A scrambling: 64 well-mixed bits that stand for (seed, purpose, and up to two identities such as a light and a

@@ -8,7 +8,6 @@
 #include <string>
 
 #include "base/diagnostic.h"
-#include "render/light_bins.h"
 
 namespace vitrail {
 namespace {
@@ -26,7 +25,7 @@ Json settings_object(const Scene& scene) {
           {"rough_samples", settings.rough_samples},
           {"final_gather_rays", settings.final_gather_rays},
           {"memory_limit_mb", settings.memory_limit_mb},
-          {"solver", takes_light_bins(scene) ? "light_bins" : "photon_map"}};
+          {"solver", solver_of(scene)}};
 }
 
 Json ledger_object(const Ledger& ledger) {

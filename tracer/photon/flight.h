@@ -15,6 +15,7 @@ struct Flight {
   bool band_chosen = false;  // before the first dispersive face every band takes the same way
   int reflections = 0, transmissions = 0;
   std::uint32_t index = 0;  // of the photon in its chart, for random choices on its way
+  std::uint64_t way = 0;    // names the faces met and the branches taken so far
 
   bool has_bounced() const { return reflections + transmissions > 0; }
 };

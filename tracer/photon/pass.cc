@@ -4,6 +4,7 @@
 
 #include "base/cpu_clock.h"
 #include "base/parallel.h"
+#include "photon/beam_pass.h"
 
 namespace vitrail {
 namespace {
@@ -31,13 +32,23 @@ std::vector<BlockPlan> plan_blocks(const std::vector<Chart>& charts) {
 
 }  // namespace
 
+bool takes_beams(const Scene& scene) { return scene.settings.solver == "beams"; }
+
 PhotonMaps make_photon_maps(const Scene& scene, const Intersector& intersector, unsigned threads, Monitor& monitor) {
   PhotonMaps maps;
   PhotonStatistics& statistics = maps.statistics;
   const Targets targets = find_targets(scene, intersector);
   statistics.warnings = targets.warnings;
-  const std::vector<Chart> charts = make_charts(scene, targets, scene.settings.photons / 2);
-  const PhotonPass pass{scene, intersector, {targets.surroundings.center}};
+  std::vector<Chart> charts = make_charts(scene, targets, scene.settings.photons / 2);
+  const PhotonPass pass{scene, intersector, {targets.surroundings.center}, targets.surroundings.radius};
+
+  // Leave to beams what they can do.
+  if (takes_beams(scene)) {
+    const auto rest = std::stable_partition(charts.begin(), charts.end(),
+                                            [&](const Chart& chart) { return suits_beams(scene, chart); });
+    make_beams(pass, {charts.begin(), rest}, threads, monitor, maps);
+    charts.erase(charts.begin(), rest);
+  }
 
   // Trace all blocks; each writes to a place of its own, so the order of the work is of no consequence.
   const std::vector<BlockPlan> plan = plan_blocks(charts);
@@ -65,6 +76,7 @@ PhotonMaps make_photon_maps(const Scene& scene, const Intersector& intersector, 
     records[plan[b].half].push_back(std::move(blocks[b].photons));
   }
   statistics.ledger = statistics.ledger.scaled(0.5);
+  if (plan.empty() && takes_beams(scene)) return maps;
 
   // Sort each half, one thread each.
   double sort_cpu_s[2] = {0, 0};
@@ -76,7 +88,7 @@ PhotonMaps make_photon_maps(const Scene& scene, const Intersector& intersector, 
     sort_cpu_s[half] = thread_cpu_s() - start;
     monitor.advance(1);
   });
-  statistics.sort_cpu_s = sort_cpu_s[0] + sort_cpu_s[1];
+  statistics.sort_cpu_s += sort_cpu_s[0] + sort_cpu_s[1];
   return maps;
 }
 
@@ -84,7 +96,7 @@ double stored_per_photon(const Scene& scene, const Intersector& intersector) {
   constexpr std::uint64_t kPilot = 512;
   const Targets targets = find_targets(scene, intersector);
   const std::vector<Chart> charts = make_charts(scene, targets, scene.settings.photons / 2);
-  const PhotonPass pass{scene, intersector, {targets.surroundings.center}};
+  const PhotonPass pass{scene, intersector, {targets.surroundings.center}, targets.surroundings.radius};
   double stored = 0, emitted = 0;
   for (const Chart& chart : charts) {
     const std::uint64_t count = std::min(kPilot, chart.count);

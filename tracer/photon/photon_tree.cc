@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "material/roughen.h"
+#include "photon/way.h"
 
 namespace vitrail {
 
@@ -23,7 +24,7 @@ void PhotonTree::follow(const Flight& start) {
     if (!flight.has_bounced()) {
       // Leave photons that meet another object to its own chart, or to direct light.
       if (arrival.escaped || arrival.event.object != target_) return;
-      block_.ledger.emitted += flight.flux;
+      ledger_.emitted += flight.flux;
     }
     arrive(flight, arrival);
   }
@@ -31,9 +32,9 @@ void PhotonTree::follow(const Flight& start) {
 
 void PhotonTree::arrive(const Flight& flight, const Arrival& arrival) {
   const Rgb flux = flight.flux * arrival.transmittance;
-  block_.ledger.absorbed += flight.flux - flux;
+  ledger_.absorbed += flight.flux - flux;
   if (arrival.escaped) {
-    block_.ledger.escaped += flux;
+    ledger_.escaped += flux;
     return;
   }
   const Interaction& event = arrival.event;
@@ -49,8 +50,10 @@ void PhotonTree::arrive(const Flight& flight, const Arrival& arrival) {
 // Give each band its weight of the flux; from here on it keeps its own index of refraction.
 void PhotonTree::split_bands(Flight flight, const Arrival& arrival, Rgb flux) {
   flight.band_chosen = true;
+  const std::uint64_t way = flight.way;
   for (std::uint32_t band = 0; band < scene_.bands.size(); ++band) {
     flight.band = band;
+    flight.way = in_band(way, band);
     const Interaction event = interact(scene_, arrival.hit, flight.ray.direction, arrival.media, band);
     go_on(flight, arrival, event, flux * scene_.bands[band].weight);
   }
@@ -84,10 +87,11 @@ void PhotonTree::meet(const Flight& flight, const Arrival& arrival, const Intera
     send(flight, arrival, event.transmit, share, 0, 1);
   }
   if (flight.has_bounced() && can_be_diffuse(scene_.materials[event.material])) {
-    block_.photons.push_back(make_photon(pass_.frame, arrival.hit.point, event.facing_normal, flux));
-    block_.ledger.stored += left;
+    const std::uint64_t way = on_the_way(scene_, flight.way, arrival, Turn::end);
+    landings_.land({arrival.hit.point, event.facing_normal, flux, left, way});
+    ledger_.stored += left;
   } else {
-    block_.ledger.absorbed += left;
+    ledger_.absorbed += left;
   }
 }
 
@@ -100,8 +104,9 @@ void PhotonTree::send(const Flight& from, const Arrival& arrival, const Branch& 
   next.flux = flux;
   next.reflections += reflections;
   next.transmissions += transmissions;
+  next.way = on_the_way(scene_, from.way, arrival, reflections > 0 ? Turn::reflect : Turn::transmit);
   if (!scene_.within_depth(next.reflections, next.transmissions) || !(largest_channel(flux) >= from.least)) {
-    block_.ledger.truncated += flux;
+    ledger_.truncated += flux;
     return;
   }
   pending_.push_back(next);

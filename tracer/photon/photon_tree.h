@@ -3,17 +3,17 @@
 
 #include <vector>
 
-#include "photon/flight.h"
+#include "photon/landing.h"
 #include "photon/trace.h"
 
 namespace vitrail {
 
 class PhotonTree {
  public:
-  /// Books and photons go into `block`, which must outlive the tree.
+  /// Where light ends goes into `landings`, the books into `ledger`; both must outlive the tree.
   /// `stream` scrambles the random choices of rough faces.
-  PhotonTree(const PhotonPass& pass, std::uint32_t target, Stream stream, PhotonBlock& block)
-      : pass_(pass), scene_(pass.scene), target_(target), stream_(stream), block_(block) {}
+  PhotonTree(const PhotonPass& pass, std::uint32_t target, Stream stream, LandingSink& landings, Ledger& ledger)
+      : pass_(pass), scene_(pass.scene), target_(target), stream_(stream), landings_(landings), ledger_(ledger) {}
 
   /// Follow every branch to its end. A flight that has not bounced counts only if it meets the target first.
   void follow(const Flight& flight);
@@ -30,7 +30,8 @@ class PhotonTree {
   const Scene& scene_;
   std::uint32_t target_;
   Stream stream_;
-  PhotonBlock& block_;
+  LandingSink& landings_;
+  Ledger& ledger_;
   std::vector<Flight> pending_;
 };
 

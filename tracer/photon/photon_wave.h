@@ -67,6 +67,7 @@ class PhotonWave {
   std::int64_t target_;
   PhotonBlock& block_;
   FewObjects objects_;
+  PhotonStore store_;
   PhotonTree tree_;
   std::vector<Face> faces_;
   bool anything_absorbs_ = false;

@@ -88,10 +88,10 @@ PhotonBlock trace_photons(const PhotonPass& pass, const Chart& chart, Stream str
                           std::uint64_t count, PhotonWay way) {
   PhotonBlock block;
   block.photons.reserve(count);
-  const Stream on_the_way = within(stream, static_cast<std::uint64_t>(Purpose::kPhotonRoughness));
+  const Stream lots = within(stream, static_cast<std::uint64_t>(Purpose::kPhotonRoughness));
   const StartMedia media(pass);
   if (way == PhotonWay::automatic && PhotonWave::suits(pass.scene)) {
-    PhotonWave wave(pass, chart.target, on_the_way, block);
+    PhotonWave wave(pass, chart.target, lots, block);
     emit_block(chart, stream, first, count, [&](const EmissionColumns& columns, std::uint32_t) {
       for (std::size_t i = 0; i < columns.count; ++i) {
         const Rgb power = power_of(columns, i);
@@ -103,7 +103,8 @@ PhotonBlock trace_photons(const PhotonPass& pass, const Chart& chart, Stream str
     });
     wave.finish();
   } else {
-    PhotonTree tree(pass, chart.target, on_the_way, block);
+    PhotonStore store(pass.frame, block);
+    PhotonTree tree(pass, chart.target, lots, store, block.ledger);
     emit_block(chart, stream, first, count, [&](const EmissionColumns& columns, std::uint32_t index) {
       for (std::size_t i = 0; i < columns.count; ++i) {
         const Rgb power = power_of(columns, i);

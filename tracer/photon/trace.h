@@ -3,7 +3,7 @@
 
 #include "base/random.h"
 #include "light/light.h"
-#include "material/surface.h"
+#include "photon/landing.h"
 #include "photon/ledger.h"
 #include "photon/photon_map.h"
 
@@ -19,11 +19,25 @@ struct PhotonBlock {
   Ledger ledger;
 };
 
+/// Keeps every landing as a photon of a block.
+class PhotonStore : public LandingSink {
+ public:
+  PhotonStore(const PhotonFrame& frame, PhotonBlock& block) : frame_(frame), block_(block) {}
+  void land(const Landing& landing) override {
+    block_.photons.push_back(make_photon(frame_, landing.position, landing.normal, landing.flux));
+  }
+
+ private:
+  PhotonFrame frame_;
+  PhotonBlock& block_;
+};
+
 /// Everything that stays the same over a photon pass.
 struct PhotonPass {
   const Scene& scene;
   const Intersector& intersector;
   PhotonFrame frame;
+  double radius_m = 0;  // of everything finite, about the frame's origin
 };
 
 /// How photons are followed: `automatic` takes many at once where the scene allows it. Both obey the same physics and

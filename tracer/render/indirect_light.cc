@@ -33,7 +33,7 @@ Rgb gathered_radiance(const Scene& scene, const Intersector& intersector, const 
       const LightDraw light_draw{within(stream, 1), draw.sample};
       Rgb irradiance =
           direct_light(scene, intersector, query.position, query.normal, arrival.hit.back(), light_draw, 1).irradiance;
-      irradiance += map_irradiance(maps.caustic.half[half], query);
+      irradiance += maps.caustic.irradiance(half, query);
       irradiance += map_irradiance(maps.indirect.half[half], query);
       const double ratio = ior_at_start / event.ior_before;
       return walk.weight * event.diffuse * irradiance * (ratio * ratio / (M_PI * stops));

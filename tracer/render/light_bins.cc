@@ -6,6 +6,7 @@
 #include "base/cpu_clock.h"
 #include "base/parallel.h"
 #include "material/surface.h"
+#include "photon/pass.h"
 #include "render/camera.h"
 
 namespace vitrail {
@@ -48,6 +49,8 @@ bool takes_light_bins(const Scene& scene) {
   const double pixels = static_cast<double>(scene.image.width) * scene.image.height;
   return static_cast<double>(scene.settings.photons) >= kPhotonsForBins * pixels;
 }
+
+bool counts_in_pixels(const Scene& scene) { return takes_light_bins(scene) || takes_beams(scene); }
 
 double deposit_in_pixels(const Scene& scene, const Intersector& intersector, const PhotonMap& map, int half,
                          unsigned threads, Monitor& monitor, Film& film) {

@@ -16,6 +16,9 @@ inline constexpr double kPhotonsForBins = 200;
 /// Whether the scene's solver is `light_bins`, or `auto` with photons enough for it.
 bool takes_light_bins(const Scene& scene);
 
+/// Whether the caustics that the camera sees directly are counted in its pixels, by this solver or by `beams`.
+bool counts_in_pixels(const Scene& scene);
+
 /// Add the photons of a map to the caustic layer of one half, wherever the camera sees their surface directly; what it
 /// sees by way of mirrors and glass is left to the map. A photon of flux F on a surface of albedo d brings its pixel
 /// d / pi F times the pixels per square metre that the surface covers there: the exact mean over the pixel, with the

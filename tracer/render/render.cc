@@ -1,10 +1,12 @@
 #include "render/render.h"
 
 #include <cstdio>
+#include <optional>
 
 #include "base/cpu_clock.h"
 #include "base/diagnostic.h"
 #include "base/parallel.h"
+#include "render/beam_bins.h"
 #include "render/light_bins.h"
 #include "render/tile.h"
 
@@ -20,22 +22,35 @@ bool has_indirect_pass(const Scene& scene) {
   return scene.transport.indirect == Indirect::photons && scene.plan.indirect_light && scene.settings.photons > 0;
 }
 
-// Light that was still on its way when the limits of the scene ended it: the other engine may let it go on.
-void warn_of_truncated_light(const Scene& scene, const Ledger& ledger, std::vector<std::string>& warnings) {
-  const double emitted = largest_channel(ledger.emitted), cut = largest_channel(ledger.truncated);
-  if (!(cut > kTruncatedShare * emitted)) return;
+// The share of the photons' light in percent, where it is worth a warning.
+std::optional<std::string> lost_share(const Ledger& ledger, Rgb lost) {
+  const double emitted = largest_channel(ledger.emitted), cut = largest_channel(lost);
+  if (!(cut > kTruncatedShare * emitted)) return {};
   char share[16];
-  std::snprintf(share, sizeof share, "%.2g", 100 * cut / emitted);
-  warnings.push_back(std::string(share) + " % of the photons' light was cut after " +
-                     std::to_string(scene.transport.max_reflections) + " reflections or " +
-                     std::to_string(scene.transport.max_transmissions) +
-                     " transmissions; raise transport.max_reflections or max_transmissions");
+  std::snprintf(share, sizeof share, "%.2g %%", 100 * cut / emitted);
+  return share;
+}
+
+// Light that was still on its way when the limits of the scene ended it: the other engine may let it go on. And light
+// between two rays of a lattice that part, which no beam holds.
+void warn_of_truncated_light(const Scene& scene, const PhotonStatistics& statistics,
+                             std::vector<std::string>& warnings) {
+  const Ledger& ledger = statistics.ledger;
+  if (const auto share = lost_share(ledger, ledger.truncated - statistics.torn)) {
+    warnings.push_back(*share + " of the photons' light was cut after " +
+                       std::to_string(scene.transport.max_reflections) + " reflections or " +
+                       std::to_string(scene.transport.max_transmissions) +
+                       " transmissions; raise transport.max_reflections or max_transmissions");
+  }
+  if (const auto share = lost_share(ledger, statistics.torn)) {
+    warnings.push_back(*share + " of the photons' light fell between beams, where rays part; raise photons");
+  }
 }
 
 void add(const Scene& scene, const PhotonStatistics& statistics, Rendering& result) {
   result.ledger = statistics.ledger;
   result.warnings.insert(result.warnings.end(), statistics.warnings.begin(), statistics.warnings.end());
-  warn_of_truncated_light(scene, statistics.ledger, result.warnings);
+  warn_of_truncated_light(scene, statistics, result.warnings);
   result.cpu_s.photon_pass += statistics.trace_cpu_s;
   result.cpu_s.photon_sort += statistics.sort_cpu_s;
   result.counters.photons_emitted += statistics.emitted;
@@ -50,6 +65,19 @@ void add(const IndirectMaps& maps, Rendering& result) {
   result.counters.photons_stored += maps.stored;
 }
 
+void count_in_pixels(const Scene& scene, const Intersector& intersector, const PhotonMaps& maps, unsigned threads,
+                     Monitor& monitor, Rendering& result) {
+  for (int half = 0; half < 2; ++half) {
+    if (maps.half[half]) {
+      result.cpu_s.gather +=
+          deposit_in_pixels(scene, intersector, *maps.half[half], half, threads, monitor, result.film);
+    }
+    if (maps.beams[half]) {
+      result.cpu_s.gather += deposit_beams(scene, intersector, *maps.beams[half], half, threads, monitor, result.film);
+    }
+  }
+}
+
 void refuse_what_cannot_work(const Scene& scene, const Intersector& intersector) {
   std::vector<Diagnostic> found;
   if ((has_photon_pass(scene) || has_indirect_pass(scene)) && !(scene.settings.gather_radius_m > 0)) {
@@ -60,8 +88,8 @@ void refuse_what_cannot_work(const Scene& scene, const Intersector& intersector)
     found.push_back({"settings.photons", "is above 2^33", "render several seeds and average them"});
   }
   const std::string& solver = scene.settings.solver;
-  if (solver != "auto" && solver != "photon_map" && solver != "light_bins") {
-    found.push_back({"settings.solver", "is `" + solver + "`", "write auto, photon_map or light_bins"});
+  if (solver != "auto" && solver != "photon_map" && solver != "light_bins" && solver != "beams") {
+    found.push_back({"settings.solver", "is `" + solver + "`", "write auto, photon_map, light_bins or beams"});
   }
   const double mb = static_cast<double>(predicted_bytes(scene, intersector)) / 1e6;
   if (scene.settings.memory_limit_mb > 0 && mb > scene.settings.memory_limit_mb) {
@@ -118,21 +146,23 @@ Rendering render(const Scene& scene, unsigned threads, Monitor& monitor) {
     result.cpu_s.camera += tile.camera_cpu_s;
     result.cpu_s.gather += tile.gather_cpu_s;
   }
-  if (takes_light_bins(scene)) {
-    for (int half = 0; half < 2; ++half) {
-      if (!maps.caustic.half[half]) continue;
-      result.cpu_s.gather +=
-          deposit_in_pixels(scene, intersector, *maps.caustic.half[half], half, threads, monitor, result.film);
-    }
-  }
+  if (counts_in_pixels(scene)) count_in_pixels(scene, intersector, maps.caustic, threads, monitor, result);
   result.interrupted = monitor.interrupted();
   return result;
+}
+
+std::string solver_of(const Scene& scene) {
+  if (takes_beams(scene)) return "beams";
+  return takes_light_bins(scene) ? "light_bins" : "photon_map";
 }
 
 std::uint64_t predicted_bytes(const Scene& scene, const Intersector& intersector) {
   std::uint64_t bytes = Film::predicted_bytes(scene.image.width, scene.image.height);
   if (has_photon_pass(scene)) {
-    bytes += predicted_photon_bytes(scene.settings.photons, stored_per_photon(scene, intersector));
+    const double stored = stored_per_photon(scene, intersector);
+    const auto corners = static_cast<std::size_t>(stored * static_cast<double>(scene.settings.photons));
+    bytes +=
+        takes_beams(scene) ? BeamMap::predicted_bytes(corners) : predicted_photon_bytes(scene.settings.photons, stored);
   }
   // A walk in a white room stores a photon several times; in most rooms fewer than three.
   if (has_indirect_pass(scene)) bytes += predicted_photon_bytes(scene.settings.photons, 3);

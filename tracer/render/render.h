@@ -34,6 +34,9 @@ struct Rendering {
 /// gather radius for a caustic, or more memory predicted than settings.memory_limit_mb.
 Rendering render(const Scene& scene, unsigned threads, Monitor& monitor);
 
+/// The solver of caustics that a rendering takes; what `auto` stands for.
+std::string solver_of(const Scene& scene);
+
 /// Peak bytes of a rendering, before they are allocated.
 std::uint64_t predicted_bytes(const Scene& scene, const Intersector& intersector);
 

@@ -108,8 +108,7 @@ void gather(const PhotonMaps& maps, const Tile& tile, const std::vector<GatherRe
     const int y = tile.y0 + static_cast<int>(request.pixel / width);
     for (int half = 0; half < 2; ++half) {
       if (!request.both_halves && half != request.half) continue;
-      if (!maps.half[half]) continue;
-      film.at(half, x, y)[Layer::caustic] += request.weight * maps.half[half]->irradiance(request.query);
+      film.at(half, x, y)[Layer::caustic] += request.weight * maps.irradiance(half, request.query);
     }
   }
 }

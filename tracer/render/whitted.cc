@@ -7,7 +7,7 @@
 namespace vitrail {
 
 CameraTracer::CameraTracer(const Scene& scene, const Intersector& intersector, const LightMaps& maps)
-    : scene_(scene), intersector_(intersector), maps_(maps), in_bins_(takes_light_bins(scene)) {
+    : scene_(scene), intersector_(intersector), maps_(maps), in_bins_(counts_in_pixels(scene)) {
   for (const Material& material : scene.materials) {
     const auto& ior = material.ior_by_band;
     disperses_.push_back(std::any_of(ior.begin(), ior.end(), [&](double n) { return n != ior[0]; }));

@@ -13,7 +13,7 @@ from vitrail.scene.model import Scene
 from vitrail.scene.phenomenon import Phenomenon
 
 Quality = Literal["draft", "normal", "reference"]
-Solver = Literal["auto", "photon_map", "light_bins"]
+Solver = Literal["auto", "photon_map", "light_bins", "beams"]
 ReferenceMode = Literal["auto", "native", "channels", "slices"]
 
 PATCH_SHARE = 1 / 120

@@ -1,0 +1,120 @@
+/// Beams against the ray map of a ball, on flat and on curved surfaces, and the books of what falls between them.
+
+#include <gtest/gtest.h>
+
+#include "build_scene.h"
+#include "photon/pass.h"
+
+namespace vitrail {
+namespace {
+
+PhotonMaps beams_of(const Scene& scene) {
+  SilentMonitor monitor;
+  const Intersector intersector(scene);
+  return make_photon_maps(scene, intersector, 2, monitor);
+}
+
+Scene ball_over_floor(std::uint64_t rays, bool fresnel = false) {
+  SceneBuilder builder;
+  builder.add("floor", PlaneShape{{0, 0, 0}, {0, 1, 0}}, builder.add(diffuse(0.8)));
+  builder.add("ball", SphereShape{{0, 2, 0}, 1}, builder.add(glass(1.5, {1, 1, 1}, fresnel)));
+  builder.scene.lights.push_back({"sun", DirectionalLight{{0, -1, 0}, {1, 2, 3}, 0}});
+  builder.scene.settings.photons = rays;
+  builder.scene.settings.gather_radius_m = 0.01;
+  builder.scene.settings.solver = "beams";
+  return builder.scene;
+}
+
+/// Where light that enters at distance b from the axis lands: the turn is 2 (i - r), the way out at the angle 2 r - i.
+double landing(double b) {
+  const double i = std::asin(b), r = std::asin(b / 1.5), turn = 2 * (i - r), out = 2 * r - i;
+  return std::abs(std::sin(out) - (2 - std::cos(out)) * std::tan(turn));
+}
+
+/// b / rho / |d rho / d b| at a distance from the axis [O 1.6]; the ball turns light from b to rho one to one.
+double gain(double rho) {
+  double low = 1e-9, high = 0.9;
+  for (int step = 0; step < 60; ++step) {
+    const double middle = (low + high) / 2;
+    (landing(middle) < rho ? low : high) = middle;
+  }
+  const double step = 1e-6, slope = (landing(low + step) - landing(low - step)) / (2 * step);
+  return low / rho / std::abs(slope);
+}
+
+/// Of the irradiance at places within 0.8 of the axis, over what it should be: mean, and mean distance from 1.
+struct Ratio {
+  double mean = 0, off = 0;
+};
+Ratio ratio_of(const PhotonMaps& maps) {
+  TestNumbers numbers;
+  Ratio ratio;
+  constexpr int kPlaces = 2000;
+  for (int k = 0; k < kPlaces; ++k) {
+    const double rho = 0.8 * std::sqrt(numbers.unit()), angle = 2 * kPi * numbers.unit();
+    const Rgb found = maps.irradiance(k % 2, {{rho * std::cos(angle), 0, rho * std::sin(angle)}, {0, 1, 0}});
+    EXPECT_NEAR(found.b / found.r, 3, 1e-5);
+    ratio.mean += found.r / gain(rho) / kPlaces;
+    ratio.off += std::abs(found.r / gain(rho) - 1) / kPlaces;
+  }
+  return ratio;
+}
+
+/// Within a beam the area does not vary, so at a place the error is that of a cell; means over an area have its square.
+TEST(Beams, HaveTheIrradianceOfTheRayMapAndConverge) {
+  const Ratio coarse = ratio_of(beams_of(ball_over_floor(5000))), fine = ratio_of(beams_of(ball_over_floor(80000)));
+  EXPECT_LT(fine.off, 0.04);
+  EXPECT_NEAR(fine.mean, 1, 3 * fine.off / std::sqrt(2000.0) + 0.001);
+
+  // Sixteen times the rays are a quarter of the cell; the lattices are drawn to within an eighth.
+  EXPECT_NEAR(coarse.off / fine.off, 4, 1);
+}
+
+TEST(Beams, OfTheOtherSideOfASurfaceDoNotCount) {
+  const PhotonMaps maps = beams_of(ball_over_floor(10000));
+  EXPECT_EQ(maps.irradiance(0, {{0.3, 0, 0}, {0, -1, 0}}), Rgb{});
+  EXPECT_EQ(maps.irradiance(0, {{0.3, 0.01, 0}, {0, 1, 0}}), Rgb{}) << "a centimetre above the floor";
+}
+
+/// With Fresnel shares light leaves in ever weaker sheets, each with a tear of its own; nothing is lost from the books,
+/// and what falls between beams lessens with the rays.
+TEST(Beams, CloseTheBooks) {
+  const PhotonStatistics few = beams_of(ball_over_floor(2000, true)).statistics;
+  const PhotonStatistics many = beams_of(ball_over_floor(32000, true)).statistics;
+  for (const PhotonStatistics* each : {&few, &many}) {
+    EXPECT_LT(each->ledger.closure(), 1e-12);
+    EXPECT_LE(each->torn.r, each->ledger.truncated.r * (1 + 1e-12));
+    // The outline of the ball is seen at the corners of cells, few or many of them.
+    EXPECT_NEAR(each->ledger.emitted.r, kPi, (each == &few ? 0.05 : 0.01) * kPi);
+  }
+  EXPECT_LT(many.torn.r, few.torn.r / 4);
+}
+
+/// Light from above through a plate of index 1 onto a ball: E cos, by chords that lie off the surface.
+TEST(Beams, LandOnCurvedSurfaces) {
+  SceneBuilder builder;
+  builder.add("ball", SphereShape{{0, 0, 0}, 1}, builder.add(diffuse(0.5)));
+  builder.add("plate", BoxShape{{-1.2, 2, -1.2}, {1.2, 2.1, 1.2}, {}}, builder.add(glass(1)));
+  builder.scene.lights.push_back({"sun", DirectionalLight{{0, -1, 0}, {1, 1, 1}, 0}});
+  builder.scene.settings.photons = 40000;
+  builder.scene.settings.solver = "beams";
+  const PhotonMaps maps = beams_of(builder.scene);
+  TestNumbers numbers;
+  double mean = 0;
+  int places = 0;
+  for (int k = 0; k < 400; ++k) {
+    Vec3 normal = numbers.direction();
+    normal.y = std::abs(normal.y);
+    if (normal.y < 0.3) continue;  // near the outline a beam spans it
+
+    // Over a cell of 2.4 / 87 the cosine changes by the tangent times its width.
+    const double found = maps.irradiance(k % 2, {normal, normal}).r, tangent = std::sqrt(1 / (normal.y * normal.y) - 1);
+    EXPECT_NEAR(found, normal.y, 2.4 / 87 * (tangent + 0.1)) << normal.y;
+    mean += found / normal.y;
+    ++places;
+  }
+  EXPECT_NEAR(mean / places, 1, 0.005);
+}
+
+}  // namespace
+}  // namespace vitrail

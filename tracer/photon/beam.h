@@ -1,0 +1,37 @@
+#pragma once
+/// A beam: what leaves the light between three neighbouring rays that take the same way, where it lands.
+///
+/// The flux between the rays is known exactly, and so is the area that they enclose on the surface: their quotient is
+/// the irradiance, without any kernel and without noise [Heckbert and Hanrahan 1984; Watt 1990].
+
+#include <cstdint>
+#include <vector>
+
+#include "base/vec3.h"
+#include "photon/ledger.h"
+
+namespace vitrail {
+
+/// Where one ray lands. 56 bytes.
+struct BeamCorner {
+  Vec3 position;    // metres
+  float normal[3];  // unit, on the side where the light arrived
+  float power[3];   // W: what the whole chart would bring if all its rays were like this one
+};
+
+/// Three corners and their share of the chart. 16 bytes.
+struct Beam {
+  std::uint32_t corner[3];  // in the corners of its block or map
+  float share;              // of the chart between the three rays
+};
+
+/// What one block of a lattice leaves behind.
+struct BeamBlock {
+  std::vector<BeamCorner> corners;
+  std::vector<Beam> beams;
+  Ledger ledger;
+  Rgb torn;  // W, of what is truncated: it landed between rays that part
+  std::uint64_t rays = 0;
+};
+
+}  // namespace vitrail

@@ -1,0 +1,16 @@
+#pragma once
+/// The beams of several charts, on all threads, and one tree of them for each half.
+
+#include <vector>
+
+#include "photon/beam_lattice.h"
+#include "photon/pass.h"
+
+namespace vitrail {
+
+/// Adds to the statistics of `maps`: a ray counts as a photon emitted, a beam as one stored, and the ledger is the sum
+/// of both halves. The maps stay empty if the monitor interrupts.
+void make_beams(const PhotonPass& pass, const std::vector<Chart>& charts, unsigned threads, Monitor& monitor,
+                PhotonMaps& maps);
+
+}  // namespace vitrail

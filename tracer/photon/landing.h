@@ -1,0 +1,23 @@
+#pragma once
+/// Where a way of light ends on a surface that can be diffuse.
+
+#include "photon/flight.h"
+
+namespace vitrail {
+
+struct Landing {
+  Vec3 position;
+  Vec3 normal;            // on the side where the light arrived
+  Rgb flux;               // what arrives, W
+  Rgb kept;               // what no mirror or glass of this surface sends on, W: the books take it as stored
+  std::uint64_t way = 0;  // names the faces and branches from the light to here, this face included
+};
+
+/// Who takes the landings of a tree.
+class LandingSink {
+ public:
+  virtual ~LandingSink() = default;
+  virtual void land(const Landing& landing) = 0;
+};
+
+}  // namespace vitrail
