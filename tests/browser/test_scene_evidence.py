@@ -78,6 +78,7 @@ def test_where_a_deviation_lives_is_said_with_what_was_switched_off(watched: Wat
     page = open_scene(watched, report)
     section = page.locator("#observe-ring")
     assert "where: in caustic: it goes when bodies that mirror or refract are black" in section.inner_text()
+    assert "by ablation it is in caustic" in page.locator(".findings").inner_text()
     section.get_by_text("What was switched off").click()
     rows = section.locator("details.where tbody tr").all_inner_texts()
     assert [row.split("\t")[0] for row in rows] == ["caustic", "refraction", "caustic"]

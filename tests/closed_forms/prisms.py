@@ -25,15 +25,16 @@ def least_deviation_by_search_deg(index, apex_deg):
     return deviation_deg(index, apex_deg, found)
 
 
-def screen_height(index, apex_deg, incidence_deg, screen):
-    """Where the middle ray of a beam through a prism of side 1 meets the screen x = ``screen``; the centroid is 0, 0.
+def screen_height(index, apex_deg, incidence_deg, screen, aside=0):
+    """Where a ray of a beam through a prism of side 1 meets the screen x = ``screen``; the centroid is 0, 0.
 
-    The ray meets the middle of the left face at ``incidence_deg``, going upwards; it is followed as a line in x, y.
+    The ray meets the left face at ``incidence_deg``, going upwards, ``aside`` from its middle towards the apex; it is
+    followed as a line in x, y.
     """
     half = radians(mpf(apex_deg)) / 2
     base, rise = sin(half), cos(half)
-    # The middle of the left face, and directions as angles from +x: the face's inward normal points down by half.
-    x, y = -base / 2, -rise / 3 + rise / 2
+    # Where the left face is met, and directions as angles from +x: the face's inward normal points down by half.
+    x, y = -base / 2 + aside * base, -rise / 3 + rise / 2 + aside * rise
     inside = -half + asin(sin(radians(mpf(incidence_deg))) / index)
     # The right face runs from the apex (0, 2 rise / 3) down to (base, -rise / 3); its outward normal points up by half.
     step = (rise * x + base * (y - 2 * rise / 3)) / -(rise * cos(inside) + base * sin(inside))

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 
 import pytest
 from mpmath import mp, mpf, radians, tan, workdps
 from ruamel.yaml import YAML
 
-from tests.closed_forms import area_lights, ball_lens, beer, cards, prisms, rough, slabs
+from tests.closed_forms import area_lights, ball_lens, beer, cards, prisms, profiles, rough, slabs
 from tests.closed_forms.shadows import Penumbra
 from tests.closed_forms.truths import CONSTANTS, CROWN, DROP, EDGE, OUTER, RINGS, SCENES
 from vitrail.judge.references import read_scene_truth
@@ -54,6 +55,36 @@ def test_nothing_is_written_that_is_not_computed(written):
     }
     assert found == set(SCENES)
     assert set(written["constants"]) == set(CONSTANTS)
+
+
+def test_profiles_are_the_computed_ones(written):
+    """They are for people to see, and held to seven digits; of the caustic a few places are computed again."""
+    found = {
+        (scene, name): entry["profile"]
+        for scene, observations in written["scenes"].items()
+        for name, entry in observations.items()
+        if "profile" in entry
+    }
+    assert set(found) == set(profiles.PROFILES)
+    spectrum = found["prism_screen", "spectrum"]
+    assert ("v", spectrum["positions_m"], spectrum["values"]) == (
+        "v",
+        *(pytest.approx(each, rel=1e-7, abs=1e-8) for each in profiles.spectrum_profile()[1:]),
+    )
+    caustic = found["ball_lens", "caustic"]
+    curve = dict(zip(caustic["positions_m"], caustic["values"], strict=True))
+    assert list(curve) == pytest.approx([float(u) for u in profiles.CAUSTIC_AT])
+    with workdps(15):
+        for u in (0, 0.5, -1.1):
+            assert curve[u] == pytest.approx(float(profiles.across_the_caustic(u)), rel=1e-7)
+
+
+def test_a_profile_holds_the_light_that_enters():
+    """The stripes of the spectrum hold all light of the beam, whatever the index of each."""
+    _, places, values = profiles.spectrum_profile()
+    light = sum((b - a) * (y + z) / 2 for a, b, y, z in zip(places, places[1:], values, values[1:], strict=False))
+    bright = 0.2126 + 0.7152 + 0.0722
+    assert light == pytest.approx(0.8 / math.pi * 20 * 0.04 * bright, rel=1e-4)
 
 
 def test_the_context_of_the_ball_lens_is_that_of_the_computation(written):

@@ -74,14 +74,14 @@ def test_what_goes_with_one_and_stays_with_the_others_lives_there() -> None:
     assert found.suspects == (P.CAUSTIC,)
     assert [each.outcome for each in found.ablations] == [Outcome.STAYS, Outcome.STAYS, Outcome.GOES]
     assert found.reason == (
-        "in caustic: it goes when specular bodies is off and it stays when coloured_transmission is off,"
-        " when refraction is off"
+        "in caustic: it goes when specular bodies is off, and it stays when coloured_transmission is off"
+        " and when refraction is off"
     )
 
 
 def test_what_stays_whatever_is_off_is_beneath() -> None:
     found = told(THERE, switched("refraction", THERE), switched("specular bodies", THERE, *GLASS))
-    assert found.suspects == (P.DIFFUSION,) and "light, surfaces, camera or units" in found.reason
+    assert found.suspects == (P.DIFFUSION,) and "beneath all of it" in found.reason
 
 
 def test_what_cannot_be_told_apart_is_not() -> None:

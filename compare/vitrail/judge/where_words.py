@@ -8,7 +8,7 @@ from vitrail.judge.comparison import AblationEntry, LayerShare, Outcome
 from vitrail.judge.patch_light import is_too_weak
 from vitrail.scene.phenomenon import Phenomenon
 
-BENEATH = "light, surfaces, camera or units"
+BENEATH = "what is beneath all of it (light, surfaces, camera, units)"
 """What diffusion stands for: what every scene has."""
 
 
@@ -20,7 +20,7 @@ def sentence(
 ) -> str:
     """The suspects and why, then what told nothing and what was not tried."""
     told = [_clause(entries, outcome, verb) for outcome, verb in ((Outcome.GOES, "goes"), (Outcome.STAYS, "stays"))]
-    why = " and ".join(clause for clause in told if clause)
+    why = ", and ".join(clause for clause in told if clause)
     if not why:
         why = "the scene requires nothing else" if required <= {Phenomenon.DIFFUSION} else "nothing was told apart"
     parts = [f"{_names(suspects)}: {why}"]
@@ -48,7 +48,7 @@ def _names(suspects: Sequence[Phenomenon]) -> str:
 
 def _clause(entries: Sequence[AblationEntry], outcome: Outcome, verb: str) -> str:
     found = [each.words for each in entries if each.outcome is outcome]
-    return f"it {verb} when {', when '.join(found)}" if found else ""
+    return f"it {verb} when {' and when '.join(found)}" if found else ""
 
 
 def _name(phenomenon: Phenomenon) -> str:

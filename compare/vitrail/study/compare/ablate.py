@@ -152,7 +152,8 @@ def _look(
         observed = _observed(scene, images, truth, settings.gather_radius_m)
         light = patch_lights(scene, images, truth, settings.gather_radius_m)
     except (NotTranslatable, EngineFailure, ImageError, NothingToMeasure, MetricError) as error:
-        return AblatedLook(ablation, {}, {}, reason=" ".join(str(error).split()))
+        # The first clause says what went wrong; remedies are for a scene that somebody wrote.
+        return AblatedLook(ablation, {}, {}, reason=" ".join(str(error).split()).split(";")[0])
     return AblatedLook(ablation, observed, light, lowered.certificate.bound, cpu_s)
 
 
