@@ -111,6 +111,20 @@ def test_one_number_that_still_deviates_is_enough_for_doubt() -> None:
     assert found.ablations[0].outcome is Outcome.UNCLEAR
 
 
+def test_numbers_of_nothing_do_not_hide_that_the_observed_phenomenon_was_it() -> None:
+    """Without a spectrum the order of its colours is chance, but its place is right again; or its light is."""
+    before = observed(P.CAUSTIC, place_shift=0.5, colour_order=0.2)
+    chance = observed(P.CAUSTIC, place_shift=0.0, colour_order=0.2)
+    assert told(before, switched("caustic", chance)).ablations[0].outcome is Outcome.GOES
+    assert told(before, switched("refraction", chance)).ablations[0].outcome is Outcome.UNCLEAR
+    before = observed(P.CAUSTIC, indirect_ratio=100.0, flux_ratio=0.5)
+    chance = observed(P.CAUSTIC, indirect_ratio=70.0, flux_ratio=0.0)
+    assert told(before, switched("caustic", chance)).ablations[0].metric == "indirect_ratio"
+    chance = observed(P.CAUSTIC, indirect_ratio=7.0, flux_ratio=0.0)
+    found = told(before, switched("caustic", chance)).ablations[0]
+    assert (found.metric, found.outcome) == ("flux_ratio", Outcome.GOES)
+
+
 def test_a_dark_patch_agrees_for_want_of_light() -> None:
     dark = light(0.01, 0.01)
     found = told(THERE, switched("reflection", GONE, light=dark))

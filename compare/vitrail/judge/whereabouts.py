@@ -123,9 +123,10 @@ def _entry(
     of_light = [pair for pair in measured if pair[0].metric.split(".")[0] in LIGHT_FAMILIES]
     if measured:
         found = base.model_copy(update=_by_numbers(measured))
-        # With the observed phenomenon off, its own numbers may be of nothing; those of the light still tell.
-        if switched.off == observed.value and found.outcome is Outcome.UNCLEAR and of_light:
-            found = base.model_copy(update=_by_numbers(of_light))
+        # With the observed phenomenon off, its numbers may be of nothing; its light or the furthest still tell.
+        for fewer in (of_light, measured[:1]) if switched.off == observed.value else ():
+            if fewer and found.outcome is Outcome.UNCLEAR:
+                found = base.model_copy(update=_by_numbers(fewer))
     elif switched.off == observed.value and after and all(e.verdict is Verdict.AGREES for e in after.values()):
         reason = "there is nothing left of it to measure, and all that can still be measured agrees"
         found = base.model_copy(update={"outcome": Outcome.GOES, "reason": reason})

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from vitrail.report.mutants_ablated import ablation_text
 from vitrail.scene.phenomenon import Phenomenon
 
 ALONE = {"ssim": "SSIM < 0.95", "flip": "FLIP > 0.05", "relmse": "relMSE > 0.01"}
@@ -84,6 +85,7 @@ def mutants_text(found: Mapping[str, Any], limits: str, equal: Mapping[str, Any]
             head,
             _matrix(entries),
             _one_by_one(entries),
+            ablation_text(found),
             _one_number(found),
             LIMITS,
             limits,

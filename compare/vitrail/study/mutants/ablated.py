@@ -22,7 +22,7 @@ from vitrail.study.mutants.bench import Bench, unwatched
 def whereabouts_of(
     found: Diagnosis, results: Results, runs: Mapping[str, SceneRun], requests: Mapping[str, Request], bench: Bench
 ) -> dict[str, Any] | None:
-    """Suspects and evidence for the observation that a diagnosis rests on; None where the engines agree there."""
+    """Suspects and outcomes for the observation that a diagnosis rests on; None where the engines agree there."""
     record = next((scene for scene in results.scenes if scene.name == found.scene), None)
     if record is None or record.name not in runs:
         return None
@@ -36,7 +36,6 @@ def whereabouts_of(
         return None
     return {
         "suspects": [phenomenon.value for phenomenon in where.suspects],
-        "reason": where.reason,
         "ablations": {entry.off: entry.outcome.value for entry in where.ablations},
     }
 
