@@ -10,8 +10,8 @@ TEXT = """
 
 The scene that names a mutant was rendered again with one thing after the other switched off in both engines
 ([decision 20](../../decisions/0020-ablation-switches-the-scene.md)). Of {total} mutants {named} leave one suspect, the
-injected phenomenon; {among} leave several, the injected one among them; {wrong} leave only others. As with the
-verdicts, rule and bench were made together.
+injected phenomenon; {among} leave several, the injected one among them; {none} leave none; {wrong} leave only others.
+As with the verdicts, rule and bench were made together.
 
 Switching something off must not make a deviation of its own. Of {count} ablations of the clean bench {apart}.
 
@@ -23,7 +23,8 @@ Switching something off must not make a deviation of its own. Of {count} ablatio
 def ablation_text(found: Mapping[str, Any]) -> str:
     """The section in Markdown."""
     entries: Sequence[Mapping[str, Any]] = found["mutants"]
-    named, among, wrong = (sum(_kind(entry) == kind for entry in entries) for kind in ("named", "among", "wrong"))
+    kinds = ("named", "among", "none", "wrong")
+    named, among, none, wrong = (sum(_kind(entry) == kind for entry in entries) for kind in kinds)
     clean = found["clean"]["ablated"]
     listed = "; ".join(f"{place}: {words}" for place, words in sorted(clean["apart"].items()))
     apart = f"{len(clean['apart'])} leave the engines apart or in doubt, or cannot be rendered ({listed})"
@@ -31,6 +32,7 @@ def ablation_text(found: Mapping[str, Any]) -> str:
         total=len(entries),
         named=named,
         among=among,
+        none=none,
         wrong=wrong,
         count=clean["count"],
         apart=apart if clean["apart"] else "none does",
@@ -39,11 +41,13 @@ def ablation_text(found: Mapping[str, Any]) -> str:
 
 
 def _kind(entry: Mapping[str, Any]) -> str:
-    """Whether the suspects are the injected phenomenon, hold it, or leave it out."""
+    """Whether the suspects are the injected phenomenon, hold it, are none, or are others."""
     suspects = (entry["where"] or {}).get("suspects", [])
     if suspects == [entry["injected"]]:
         return "named"
-    return "among" if entry["injected"] in suspects else "wrong"
+    if entry["injected"] in suspects:
+        return "among"
+    return "wrong" if suspects else "none"
 
 
 def _row(entry: Mapping[str, Any]) -> str:

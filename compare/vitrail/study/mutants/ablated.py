@@ -7,11 +7,12 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
-from vitrail.judge.comparison import Verdict
+from vitrail.judge.comparison import ObservationResult, Verdict
 from vitrail.judge.diagnosis import Diagnosis
 from vitrail.judge.judgement import judge_observation
 from vitrail.judge.records import Results
 from vitrail.judge.thresholds import thresholds_of
+from vitrail.judge.whereabouts import LIGHT_FAMILIES
 from vitrail.study.compare.ablate import search_whereabouts
 from vitrail.study.compare.request import Request
 from vitrail.study.compare.scene_run import SceneRun
@@ -55,11 +56,17 @@ def clean_ablations(bench: Bench) -> dict[str, Any]:
         for look in tried.looks:
             count += 1
             judged = [judge_observation(each, rules, look.residual, level) for each in look.observed.values()]
-            words = [f"{each.name} {each.verdict.value}" for each in judged if _is_apart(each.comparisons)]
+            words = [f"{each.name} {each.verdict.value}" for each in judged if _is_apart(each, look.ablation.name)]
             if words or look.reason:
                 apart[f"{record.name}, {look.ablation.name}"] = look.reason or ", ".join(words)
     return {"count": count, "apart": apart}
 
 
-def _is_apart(comparisons: Any) -> bool:
-    return any(entry.verdict is not Verdict.AGREES for entry in comparisons)
+def _is_apart(observation: ObservationResult, off: str) -> bool:
+    """Whether any number does not agree; of a phenomenon that is off only those of the light are of something."""
+    is_own = observation.phenomenon.value == off
+    return any(
+        entry.verdict is not Verdict.AGREES
+        for entry in observation.comparisons
+        if not is_own or entry.metric.split(".")[0] in LIGHT_FAMILIES
+    )
