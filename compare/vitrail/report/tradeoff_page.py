@@ -13,6 +13,9 @@ WIDTH, HEIGHT = 720.0, 380.0
 LEAST_ERROR = 1e-5
 """Errors below are drawn at the foot of the chart: single precision and half floats end there."""
 
+MARKS = {"light_bins": "bins", "beams": "beams"}
+"""How the points of a solver are drawn where it is not the usual one."""
+
 
 def write_tradeoff_page(out: Path, found: dict[str, Any], predictions: Sequence[Mapping[str, Any]] = ()) -> Path:
     """Write ``index.html`` and a picture a phenomenon into ``out``; returns the page.
@@ -66,7 +69,7 @@ def _marks(settings: list[dict[str, Any]], across: LogAxis, up: LogAxis) -> dict
             "y": up.place(each["error"]["value"]),
             "top": up.place(each["error"]["high"]),
             "bottom": up.place(each["error"]["low"]),
-            "kind": "bins" if each["knobs"].get("solver") == "light_bins" else "usual",
+            "kind": MARKS.get(each["knobs"].get("solver"), "usual"),
             "setting": each,
         }
         for each in sorted(settings, key=lambda each: each["cost_s"]["value"])
