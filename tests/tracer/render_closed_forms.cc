@@ -54,6 +54,22 @@ TEST(GreyCard, UnderAPointLight) {
   }
 }
 
+/// With its lamp under water the card loses light on the way from the lamp and on that to the camera, both inside:
+/// L = d I / (pi h^2) exp(-a (h + y)), with or without shadow rays.
+TEST(GreyCard, UnderWaterWithItsLampLosesLightOnBothWays) {
+  for (bool shadow : {true, false}) {
+    SceneBuilder builder = card_scene(0.5, 0);
+    Material water = glass(1.33);
+    water.absorption_per_m = {0, 0.1, 0.5};
+    builder.add("water", BoxShape{{-9, -1, -9}, {9, 12, 9}, {}}, builder.add(water));
+    builder.scene.lights.push_back({"lamp", PointLight{{0, 2, 0}, {4, 4, 4}}});
+    builder.scene.plan.shadow = shadow;
+    const Rgb found = rendered(builder.scene).film.radiance(2, 2);
+    for (int c = 0; c < 3; ++c)
+      EXPECT_NEAR(found[c], 0.5 / kPi * std::exp(-water.absorption_per_m[c] * (2 + 10)), 1e-15) << c << shadow;
+  }
+}
+
 /// Off the centre: I cos / r^2 with r = h / cos.
 TEST(GreyCard, UnderAPointLightFallsWithTheCubeOfTheCosine) {
   SceneBuilder builder = card_scene(0.5, 0);

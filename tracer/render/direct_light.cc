@@ -1,5 +1,7 @@
 #include "render/direct_light.h"
 
+#include "optics/absorption.h"
+
 namespace vitrail {
 namespace {
 
@@ -21,17 +23,20 @@ Rgb filtered(const Scene& scene, const Intersector& intersector, Ray ray, Depart
   return {};
 }
 
-// The share of a light that reaches a point: all, nothing, or what the glass in between lets through.
+// The share of a light that reaches a point: what the medium leaves, nothing, or what the glass in between lets
+// through.
 Rgb reaching(const Scene& scene, const Intersector& intersector, const Ray& ray, const Departures& departures,
-             double distance) {
-  if (!intersector.occluded(ray, departures, distance)) return {1, 1, 1};
+             std::uint32_t medium, double distance) {
+  const Rgb absorption = medium == kAir ? Rgb{} : scene.material_of(medium).absorption_per_m;
+  if (!scene.plan.shadow || !intersector.occluded(ray, departures, distance))
+    return transmittance(absorption, distance);
   return scene.paper.shadow_filter ? filtered(scene, intersector, ray, departures, distance) : Rgb{};
 }
 
 }  // namespace
 
 DirectLight direct_light(const Scene& scene, const Intersector& intersector, Vec3 point, Vec3 normal,
-                         const Departures& departures, LightDraw draw, int samples_per_light) {
+                         const Departures& departures, std::uint32_t medium, LightDraw draw, int samples_per_light) {
   DirectLight result;
   for (std::size_t l = 0; l < scene.lights.size(); ++l) {
     const Light& light = scene.lights[l];
@@ -44,12 +49,9 @@ DirectLight direct_light(const Scene& scene, const Intersector& intersector, Vec
       const Illumination from = illuminate(light, point, normal, unit_point(u[0], u[1]));
       const double cosine = dot(from.toward, normal);
       if (!(cosine > 0) || is_black(from.irradiance)) continue;
-      Rgb irradiance = from.irradiance * cosine;
-      if (scene.plan.shadow) {
-        ++result.shadow_rays;
-        irradiance *= reaching(scene, intersector, {point, from.toward}, departures, from.distance);
-      }
-      sum += irradiance;
+      if (scene.plan.shadow) ++result.shadow_rays;
+      sum += from.irradiance * cosine *
+             reaching(scene, intersector, {point, from.toward}, departures, medium, from.distance);
     }
     result.irradiance += samples == 1 ? sum : sum * (1.0 / samples);
   }

@@ -19,8 +19,9 @@ struct DirectLight {
 };
 
 /// Irradiance on a surface at `point` whose unit normal faces the viewer. `departures` are those of light that leaves
-/// on the viewer's side. Lights with an extent are sampled `samples_per_light` times, the others once.
+/// on the viewer's side, where `medium` rules; it absorbs on the way from a light that stands in it too. Lights with an
+/// extent are sampled `samples_per_light` times, the others once.
 DirectLight direct_light(const Scene& scene, const Intersector& intersector, Vec3 point, Vec3 normal,
-                         const Departures& departures, LightDraw draw, int samples_per_light);
+                         const Departures& departures, std::uint32_t medium, LightDraw draw, int samples_per_light);
 
 }  // namespace vitrail

@@ -71,7 +71,7 @@ void CameraTracer::scatter(const Look& look, const Arrival& arrival, const Inter
 
   const Rgb reflected = seen * event.diffuse * (1 / M_PI);
   const DirectLight light = direct_light(scene_, intersector_, arrival.hit.point, event.facing_normal,
-                                         arrival.hit.back(), path_.draw, path_.light_samples);
+                                         arrival.hit.back(), event.medium_before, path_.draw, path_.light_samples);
   result.shadow_rays += light.shadow_rays;
   result.radiance[look.layer] += reflected * light.irradiance;
   result.radiance[Layer::indirect_light] += reflected * indirect(look, arrival, event);

@@ -248,22 +248,3 @@ def test_a_parallel_light_names_its_words_in_the_order_the_parser_takes() -> Non
     card = scene("card: {diffuse: 0.5}", "- {name: c, plane: {point: [0, 0, 0], normal: [0, 1, 0]}, material: card}")
     for run in lowered(card).runs:
         assert re.search(r"light_source \{.*parallel point_at", run.sdl, re.DOTALL)
-
-
-def test_a_lamp_in_the_middle_of_a_ball_keeps_its_photons() -> None:
-    """Light leaves a ball along its normals: E = I t omega / area, omega = 4 asin(a^2 / (a^2 + h^2)) of a square.
-
-    POV-Ray spaces photons by the lamp's distance from the middle of the ball, and from there shoots five [P 2.1].
-    """
-    objects = """
-    - {name: card, rectangle: {center: [0, 0, 0], u: [0, 0, 1], v: [1, 0, 0]}, material: card}
-    - {name: ball, sphere: {center: [0, 1, 0], radius: 0.4}, material: glass}
-    """
-    lamp = "- {name: lamp, point: {position: [0, 1, 0], intensity: 5}}"
-    camera = "camera: {kind: orthographic, position: [0, 0.5, 0], look_at: [0, 0, 0], up: [0, 0, -1], height: 0.2}"
-    glass = "card: {diffuse: 0.8}\nglass: {transmission: 0.5, ior: 1.5}"
-    seen = rendered(scene(glass, objects, lamp, camera), photons=500_000, gather_radius_m=0.02)
-    omega = 4 * math.asin(0.1**2 / (0.1**2 + 1))
-    # 2 %: of 1300 photons on the card seen, one to a cell, only those of the cells on its edge are left to chance.
-    assert seen.mean[0] == pytest.approx(0.8 / math.pi * 5 * 0.5 * omega / 0.2**2, rel=0.02)
-    assert [entry.unit for entry in seen.lowered.certificate.entries if "middle of glass" in entry.source_law] == ["m"]
