@@ -1,5 +1,5 @@
 #version 3.7;
-global_settings { assumed_gamma 1 max_trace_level 11 adc_bailout 0.0001 }
+global_settings { assumed_gamma 1 max_trace_level 73 adc_bailout 0.0001 }
 #default { finish { ambient 0 emission 0 diffuse 0 } }
 background { rgb 0 }
 camera {

@@ -1,7 +1,7 @@
 #version 3.7;
 global_settings {
   assumed_gamma 1
-  max_trace_level 11
+  max_trace_level 65
   adc_bailout 0.0001
   photons {
     spacing 0.25

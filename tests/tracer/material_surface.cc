@@ -218,7 +218,7 @@ TEST(Glass, OnATableLeavesNoAirBetween) {
   const Intersector intersector(builder.scene);
   const Arrival arrival =
       advance(builder.scene, intersector, {{0, -0.2, 0}, {0, -1, 0}}, {}, intersector.media_at({0, -0.2, 0}), 0);
-  EXPECT_EQ(arrival.event.ior_before, 1.5);
+  EXPECT_EQ(arrival.event.index.from, 1.5);
   EXPECT_EQ(arrival.event.facing_normal, (Vec3{0, 1, 0}));
 }
 

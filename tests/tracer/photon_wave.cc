@@ -109,6 +109,22 @@ TEST(PhotonWave, FollowsMixedShapesAsTheGeneralWayDoes) {
   expect_the_same_light(builder.scene);
 }
 
+/// Few reflections and few crossings, and light that is sent back totally by a prism and mirrored by its faces.
+TEST(PhotonWave, CountsFacesAsTheGeneralWayDoes) {
+  SceneBuilder builder = floor_and_sun();
+  Material shiny = glass(1.7, {0.6, 0.6, 0.6});
+  shiny.reflection = {0.4, 0.4, 0.4};
+  builder.add("prism", PrismShape{{{1, 1}, {2, 1}, {1.5, 2}}, 1, {}}, builder.add(shiny));
+  for (const bool drops : {false, true}) {
+    for (const auto& [reflections, transmissions] : {std::pair{1, 64}, std::pair{8, 3}}) {
+      builder.scene.paper.tir_drop = drops;
+      builder.scene.transport.max_reflections = reflections;
+      builder.scene.transport.max_transmissions = transmissions;
+      expect_the_same_light(builder.scene);
+    }
+  }
+}
+
 /// A bubble in a block, a ball on the floor, opaque things in glass: what the quick way hands over.
 TEST(PhotonWave, HandsOverWhatIsNotPlain) {
   SceneBuilder builder = floor_and_sun();

@@ -135,6 +135,28 @@ TEST(Slab, WithFresnelShowsAllBounces) {
   EXPECT_NEAR(seen_through_slab(glass(1.5, {1, 1, 1}, true), 60), 0.836233, 1e-5);
 }
 
+/// A glowing card behind a rod of glass, seen at a slant through its front: unfolded, the way of tan r = 1/2
+/// through 39.7 widths crosses 20 walls, and each is a total reflection.
+TEST(Rod, ShowsItsEndThroughTotalReflectionsThatCountAsCrossings) {
+  SceneBuilder builder;
+  Material glow = diffuse(0);
+  glow.emission = Rgb{1, 1, 1};
+  builder.add("glow", RectangleShape{{0, -41, 0}, {90, 0, 0}, {0, 0, -90}}, builder.add(glow));
+  builder.add("rod", BoxShape{{-0.5, -39.7, -0.5}, {0.5, 0, 0.5}, {}}, builder.add(glass(1.5)));
+  const double sine = 1.5 / std::sqrt(5.0), cosine = std::sqrt(1 - sine * sine);
+  const Vec3 way{sine, -cosine, 0};
+  builder.scene.camera = {CameraKind::orthographic, way * -2.0, way, {0, 0, 1}, {cosine, sine, 0}, 1e-6, 1e-6};
+  builder.scene.image = {1, 1};
+  builder.scene.plan.caustic = false;
+  builder.scene.transport.max_reflections = 0;
+  for (const auto& [crossings, seen] : {std::pair{22, 1.0}, std::pair{21, 0.0}}) {
+    builder.scene.transport.max_transmissions = crossings;
+    const Film film = rendered(builder.scene).film;
+    EXPECT_EQ(film.radiance(0, 0).r, seen) << crossings;
+    EXPECT_EQ(film.layer(Layer::total_internal_reflection, 0, 0).r, seen) << crossings;
+  }
+}
+
 TEST(Slab, WithoutFresnelIsClear) { EXPECT_EQ(seen_through_slab(glass(1.5), 30), 1); }
 
 TEST(Slab, WithATintShowsItsSquare) {

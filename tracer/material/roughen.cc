@@ -1,40 +1,123 @@
 #include "material/roughen.h"
 
+#include <bit>
+
+#include "base/frame.h"
+#include "material/sides.h"
+#include "optics/fresnel.h"
+#include "optics/microsurface.h"
 #include "optics/roughness.h"
 
 namespace vitrail {
+namespace {
+
+/// A hit on a face of GGX facets.
+class GgxFace {
+ public:
+  GgxFace(const Scene& scene, const Hit& hit, Vec3 direction, const MediumSet& media, double alpha,
+          const Interaction& event)
+      : hit_(hit),
+        paper_(scene.paper),
+        alpha_(alpha),
+        bend_(scene.paper.refraction_literal ? refract_literal : refract),
+        facing_(event.facing_normal),
+        across_(surface_frame(event.facing_normal)),
+        arrived_{dot(direction, across_.u), dot(direction, across_.v), dot(direction, facing_)} {
+    find_sides(scene, hit, media, sides_);
+    shares_ = shares_of(scene, sides_);
+  }
+
+  /// Divide the light at the first facet, and let each part find its way from there.
+  void scatter(const RoughSample& sample, Interaction& event) const {
+    FacetRay met{arrived_, event.index};
+    reach_facet(met, alpha_, sample[2]);
+    const Vec3 facet = ggx_normal(-arrived_, {0, 0, 1}, alpha_, sample[0], sample[1]);
+    const Refraction refraction = bend_(arrived_, facet, event.index);
+    const FresnelShares at_facet = fresnel(event.index, refraction);
+    event.R = at_facet.R;
+    event.T = at_facet.T;
+    event.total_internal_reflection = !sides_.opaque && refraction.total;
+    const bool total = event.total_internal_reflection;
+
+    FacetRay mirrored = met, bent = met;
+    mirrored.reflect_at(facet);
+    refraction.total ? bent.reflect_at(facet) : bent.cross(refraction.direction);
+
+    // Each part has random numbers of its own behind the first facet: a hash of those that led there.
+    Stream stream{0};
+    for (const double u : sample) stream = within(stream, std::bit_cast<std::uint64_t>(u));
+    const Stream one = within(stream, 0), other = within(stream, 1);
+    const Rgb none;
+    const bool drops = total && paper_.tir_drop;
+    if (shares_.fresnel) {
+      const FacetLaw law = sides_.opaque ? FacetLaw::mirror_by_fresnel : FacetLaw::divide_by_fresnel;
+      const Rgb back = drops ? shares_.reflection : shares_.pool() * at_facet.R;
+      leave(mirrored, law, back, total && !drops ? Way::sent_back : Way::mirrored, one, event.reflect);
+      leave(bent, law, sides_.opaque ? none : shares_.pool() * at_facet.T, Way::sent_back, other, event.transmit);
+      return;
+    }
+
+    // What is totally reflected and what is mirrored part ways only if they meet another facet.
+    FacetRay away = mirrored;
+    if (total && !drops && !reach_facet(away, alpha_, uniform(one, 0, 0))) {
+      leave(mirrored, FacetLaw::mirror, shares_.pool(), Way::sent_back, one, event.reflect);
+      event.transmit.exists = false;
+      return;
+    }
+    const Rgb passing = sides_.opaque || drops ? none : shares_.transmission;
+    leave(mirrored, FacetLaw::mirror, shares_.reflection, Way::mirrored, one, event.reflect);
+    leave(bent, FacetLaw::let_through, passing, Way::sent_back, total ? one : other, event.transmit);
+  }
+
+ private:
+  // `back`: what a ray counts as that ends on the side from which the light came.
+  void leave(FacetRay ray, FacetLaw law, const Rgb& weight, Way back, Stream stream, Branch& branch) const {
+    branch.exists = false;
+    if (is_black(weight)) return;
+    const double left = leave_facets(ray, {alpha_, law, bend_}, arrived_, stream);
+    const Vec3 local = ray.behind ? -ray.direction : ray.direction;
+    Vec3 way = normalise(across_.u * local.x + across_.v * local.y + facing_ * local.z);
+
+    // Keep it on its side of the surface itself, where the shading normal of a smooth mesh leans.
+    const Vec3 outward = sides_.owner->entering ? sides_.owner->normal : -sides_.owner->normal;
+    const double above = dot(way, outward);
+    if (ray.behind ? above > 0 : above < 0) way = way - outward * (2 * above);
+    if (ray.behind) {
+      branch.set(Way::let_through, way, weight * left, hit_.through(), sides_.after);
+    } else {
+      branch.set(back, way, weight * left, hit_.back(), sides_.before);
+    }
+  }
+
+  const Hit& hit_;
+  const Paper& paper_;
+  double alpha_;
+  Refraction (*bend_)(Vec3, Vec3, const IndexPair&);
+  Vec3 facing_;
+  SurfaceFrame across_;
+  Vec3 arrived_;
+  Sides sides_;
+  Shares shares_;
+};
+
+}  // namespace
 
 bool is_rough(const Roughness& roughness) {
   const auto* by_equation_8 = std::get_if<Equation8>(&roughness);
   return std::holds_alternative<Ggx>(roughness) || (by_equation_8 != nullptr && by_equation_8->value > 0);
 }
 
-void roughen(const Scene& scene, const Hit& hit, Vec3 direction, const MediumSet& media, std::uint32_t band,
-             bool ior_of_camera, const RoughSample& sample, Interaction& event) {
+void roughen(const Scene& scene, const Hit& hit, Vec3 direction, const MediumSet& media, const RoughSample& sample,
+             Interaction& event) {
   if (!event.reflect.exists && !event.transmit.exists) return;
   const Vec3 facing = event.facing_normal;
   if (const auto* by_equation_8 = std::get_if<Equation8>(&event.roughness)) {
     const double lambda = by_equation_8->value;
     if (event.reflect.exists) event.reflect.direction = deflect(event.reflect.direction, lambda, facing, sample);
     if (event.transmit.exists) event.transmit.direction = deflect(event.transmit.direction, lambda, -facing, sample);
-    return;
+  } else if (const auto* ggx = std::get_if<Ggx>(&event.roughness)) {
+    GgxFace(scene, hit, direction, media, ggx->alpha, event).scatter(sample, event);
   }
-  const auto* ggx = std::get_if<Ggx>(&event.roughness);
-  if (ggx == nullptr) return;
-
-  // Meet a microfacet: the same hit with its normal in place of the surface's.
-  const Vec3 microfacet = ggx_normal(-direction, facing, ggx->alpha, sample[0], sample[1]);
-  Hit on_microfacet = hit;
-  for (Crossing& crossing : on_microfacet.crossings) {
-    crossing.shading_normal = crossing.entering ? microfacet : -microfacet;
-  }
-  Interaction scattered;
-  interact(scene, on_microfacet, direction, media, band, ior_of_camera, scattered);
-  event.reflect = scattered.reflect;
-  event.transmit = scattered.transmit;
-  event.total_internal_reflection = scattered.total_internal_reflection;
-  event.R = scattered.R;
-  event.T = scattered.T;
 }
 
 }  // namespace vitrail

@@ -13,10 +13,10 @@ using RoughSample = std::array<double, 3>;
 bool is_rough(const Roughness& roughness);
 
 /// Scatter the branches of `event`, which `interact` has filled in for this hit. Equation 8 deflects both directions;
-/// GGX takes a microfacet instead of the surface, with its own Fresnel share and total reflection. What the microfacets
-/// shadow is not lost: a way that would end on the wrong side is taken at the surface itself. Surface, albedo and
-/// emission stay as they are. A smooth surface is left alone, to the bit.
-void roughen(const Scene& scene, const Hit& hit, Vec3 direction, const MediumSet& media, std::uint32_t band,
-             bool ior_of_camera, const RoughSample& sample, Interaction& event);
+/// GGX follows the light from facet to facet, each with its own Fresnel share and total reflection, until it leaves the
+/// face: the branches keep their weights, but either may end on either side. By the letter (tir drop) only the first
+/// facet drops light. Surface, albedo and emission stay as they are. A smooth surface is left alone, to the bit.
+void roughen(const Scene& scene, const Hit& hit, Vec3 direction, const MediumSet& media, const RoughSample& sample,
+             Interaction& event);
 
 }  // namespace vitrail

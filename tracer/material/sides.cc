@@ -1,5 +1,7 @@
 #include "material/sides.h"
 
+#include <algorithm>
+
 namespace vitrail {
 
 bool is_opaque(const Scene& scene, std::uint32_t object) {
@@ -70,6 +72,18 @@ void find_sides(const Scene& scene, const Hit& hit, const MediumSet& media, Side
     c.entering ? sides.after.enter(c.object, c.counted) : sides.after.leave(c.object);
   sides.ruler_after = sides.after.ruler(scene);
   find_glass_owner(scene, hit, sides);
+}
+
+Shares shares_of(const Scene& scene, const Sides& sides) {
+  const Material& own = scene.material_of(sides.object);
+  Shares shares{own.reflection, own.transmission, own.fresnel};
+  if (sides.partner == nullptr) return shares;
+  const Material& other = scene.material_of(sides.partner->object);
+  for (int channel = 0; channel < 3; ++channel)
+    shares.reflection[channel] = std::max(own.reflection[channel], other.reflection[channel]);
+  shares.transmission = own.transmission * other.transmission;
+  shares.fresnel = own.fresnel || other.fresnel;
+  return shares;
 }
 
 }  // namespace vitrail

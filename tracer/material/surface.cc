@@ -1,7 +1,5 @@
 #include "material/surface.h"
 
-#include <algorithm>
-
 #include "material/sides.h"
 #include "optics/absorption.h"
 #include "optics/fresnel.h"
@@ -20,25 +18,6 @@ MediumIndex index_of(const Scene& scene, std::uint32_t object, std::uint32_t ban
   const Material& material = scene.material_of(object);
   if (ior_of_camera) return {material.camera_ior, material.camera_ior - 1};
   return {material.ior_by_band[band], material.ior_minus_one_by_band[band]};
-}
-
-/// The shares of a surface. Two solids in contact act like their two faces at no distance: tints multiply, the stronger
-/// mirror wins; this is the same from either side and never makes light.
-struct Shares {
-  Rgb reflection, transmission;
-  bool fresnel = false;
-};
-
-Shares shares_of(const Scene& scene, const Sides& sides, std::uint32_t material) {
-  const Material& own = scene.materials[material];
-  Shares shares{own.reflection, own.transmission, own.fresnel};
-  if (sides.partner == nullptr) return shares;
-  const Material& other = scene.material_of(sides.partner->object);
-  for (int channel = 0; channel < 3; ++channel)
-    shares.reflection[channel] = std::max(own.reflection[channel], other.reflection[channel]);
-  shares.transmission = own.transmission * other.transmission;
-  shares.fresnel = own.fresnel || other.fresnel;
-  return shares;
 }
 
 /// The shading normal against the light, or the geometric one where the shading normal of a smooth mesh turns away.
@@ -69,20 +48,22 @@ Refraction bend(const Paper& paper, const Crossing& surface, Vec3 direction, con
 /// Divide the light among mirror and refraction.
 void add_branches(const Paper& paper, const Hit& hit, Vec3 direction, const Sides& sides, const Shares& shares,
                   const Refraction& refraction, Interaction& result) {
-  const Rgb pool = shares.reflection + shares.transmission;
+  const Rgb pool = shares.pool();
   const bool transmits = !sides.opaque && !refraction.total;
   Rgb mirrored = shares.fresnel ? pool * result.R : shares.reflection;
   Rgb refracted = shares.fresnel ? pool * result.T : shares.transmission;
 
-  // Under total reflection the whole pool is mirrored, unless the paper is read by the letter [O 1.1 row 8].
+  // Under total reflection the whole pool is sent back, unless the paper is read by the letter [O 1.1 row 8].
+  Way back = Way::mirrored;
   if (!sides.opaque && refraction.total) {
     result.total_internal_reflection = true;
     mirrored = paper.tir_drop ? shares.reflection : pool;
+    if (!paper.tir_drop) back = Way::sent_back;
   }
   if (!is_black(mirrored))
-    result.reflect.set(reflect(direction, result.facing_normal), mirrored, hit.back(), sides.before);
+    result.reflect.set(back, reflect(direction, result.facing_normal), mirrored, hit.back(), sides.before);
   if (transmits && !is_black(refracted))
-    result.transmit.set(refraction.direction, refracted, hit.through(), sides.after);
+    result.transmit.set(Way::let_through, refraction.direction, refracted, hit.through(), sides.after);
 }
 
 }  // namespace
@@ -106,7 +87,7 @@ void interact(const Scene& scene, const Hit& hit, Vec3 direction, const MediumSe
                           scene.objects[result.medium_before].material == scene.objects[result.medium_after].material;
   result.passes = !sides.opaque && (result.medium_before == result.medium_after || same_glass);
   if (result.passes) {
-    result.transmit.set(direction, {1, 1, 1}, hit.through(), sides.after);
+    result.transmit.set(Way::let_through, direction, {1, 1, 1}, hit.through(), sides.after);
     return;
   }
 
@@ -123,7 +104,7 @@ void interact(const Scene& scene, const Hit& hit, Vec3 direction, const MediumSe
   result.roughness = material.roughness;
 
   const MediumIndex from = index_of(scene, result.medium_before, band, ior_of_camera);
-  result.ior_before = result.ior_after = from.ior;
+  result.index = {from.ior, from.ior, from.ior_minus_one, from.ior_minus_one};
 
   // Nothing leaves a dull surface in one direction.
   if (sides.opaque && is_black(material.reflection)) {
@@ -138,13 +119,12 @@ void interact(const Scene& scene, const Hit& hit, Vec3 direction, const MediumSe
   if (sides.opaque && material.fresnel)
     to = ior_of_camera ? MediumIndex{material.camera_ior, material.camera_ior - 1}
                        : MediumIndex{material.ior_by_band[band], material.ior_minus_one_by_band[band]};
-  const IndexPair index{from.ior, to.ior, from.ior_minus_one, to.ior_minus_one};
-  const Refraction refraction = bend(scene.paper, surface, direction, index, result.facing_normal);
-  const FresnelShares fresnel_shares = fresnel(index, refraction);
-  result.ior_after = to.ior;
+  result.index = {from.ior, to.ior, from.ior_minus_one, to.ior_minus_one};
+  const Refraction refraction = bend(scene.paper, surface, direction, result.index, result.facing_normal);
+  const FresnelShares fresnel_shares = fresnel(result.index, refraction);
   result.R = fresnel_shares.R;
   result.T = fresnel_shares.T;
-  add_branches(scene.paper, hit, direction, sides, shares_of(scene, sides, result.material), refraction, result);
+  add_branches(scene.paper, hit, direction, sides, shares_of(scene, sides), refraction, result);
 }
 
 double ior_in(const Scene& scene, const MediumSet& media, std::uint32_t band) {

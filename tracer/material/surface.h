@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "geometry/accel.h"
+#include "optics/refract.h"
 
 namespace vitrail {
 
@@ -11,14 +12,16 @@ namespace vitrail {
 /// light, already includes the material's share and the Fresnel share.
 struct Branch {
   bool exists = false;
+  Way way = Way::mirrored;
   Vec3 direction;
   Rgb weight;
   Departures departures;
   MediumSet media;
 
-  void set(Vec3 way, const Rgb& carried, const Departures& left, const MediumSet& inside) {
+  void set(Way how, Vec3 where_to, const Rgb& carried, const Departures& left, const MediumSet& inside) {
     exists = true;
-    direction = way;
+    way = how;
+    direction = where_to;
     weight = carried;
     departures = left;
     media = inside;
@@ -35,14 +38,14 @@ struct Interaction {
   std::uint32_t material = 0;          // of that object
   std::uint32_t medium_before = kAir;  // ruling object on the arriving side
   std::uint32_t medium_after = kAir;   // ... and behind the surface
-  double ior_before = 1, ior_after = 1;
-  bool entering = false;  // the ray goes against the outward normal of the surface
+  IndexPair index;                     // on the arriving side, and behind the surface
+  bool entering = false;               // the ray goes against the outward normal of the surface
 
   Rgb diffuse;          // albedo d here (pattern resolved); exitant radiance is d E / pi
   Rgb emission;         // radiance given off here
   double R = 0, T = 1;  // scalar Fresnel shares at this angle (R + T = 1), also where the material ignores them
   bool total_internal_reflection = false;
-  Branch reflect, transmit;  // exists == false where the weight is zero in every channel
+  Branch reflect, transmit;  // exists == false where the weight is zero in every channel; rough: on either side
   Roughness roughness;       // of the surface; the directions above are those of the smooth surface
 };
 

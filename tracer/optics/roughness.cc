@@ -27,8 +27,8 @@ Vec3 ggx_normal(Vec3 toward_viewer, Vec3 normal, double alpha, double u, double 
   const auto to_world = [&](Vec3 local) { return frame.u * local.x + frame.v * local.y + normal * local.z; };
 
   // Stretch the surface until it is a hemisphere of normals, and look at it from the stretched direction.
-  const Vec3 view = normalise({alpha * dot(toward_viewer, frame.u), alpha * dot(toward_viewer, frame.v),
-                               std::max(0.0, dot(toward_viewer, normal))});
+  const Vec3 view =
+      normalise({alpha * dot(toward_viewer, frame.u), alpha * dot(toward_viewer, frame.v), dot(toward_viewer, normal)});
   const SurfaceFrame across = surface_frame(view);
 
   // Choose a point on the visible part: a disc whose lower half is squeezed to where the hemisphere ends. The squeeze

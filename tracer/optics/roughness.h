@@ -15,7 +15,7 @@ namespace vitrail {
 Vec3 deflect(Vec3 direction, double lambda, Vec3 facing, const std::array<double, 3>& u);
 
 /// A microfacet normal as seen from `toward_viewer`, GGX with roughness alpha [W07 eq. 33], sampled among the visible
-/// ones [Heitz 2018]. Both vectors on the same side of the surface with unit normal `normal`.
+/// ones [Heitz 2018]. The viewer may be anywhere above or, among the facets, below the mean plane across `normal`.
 Vec3 ggx_normal(Vec3 toward_viewer, Vec3 normal, double alpha, double u, double v);
 
 }  // namespace vitrail

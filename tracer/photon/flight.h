@@ -13,11 +13,11 @@ struct Flight {
   double least = 0;  // W; a branch below this is cut off
   std::uint32_t band = 0;
   bool band_chosen = false;  // before the first dispersive face every band takes the same way
-  int reflections = 0, transmissions = 0;
+  Depth depth{};
   std::uint32_t index = 0;  // of the photon in its chart, for random choices on its way
   std::uint64_t way = 0;    // names the faces met and the branches taken so far
 
-  bool has_bounced() const { return reflections + transmissions > 0; }
+  bool has_bounced() const { return depth.faces() > 0; }
 };
 
 /// Whether a surface of this material may show photons somewhere.

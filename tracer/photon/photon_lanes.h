@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/ray.h"
-#include "base/vec3.h"
+#include "scene/scene.h"
 
 namespace vitrail {
 
@@ -20,6 +20,11 @@ struct PhotonState {
   std::int16_t band = -1;           // -1 before the first face that tells bands apart
   std::int16_t reflections = 0, transmissions = 0;
 
+  Depth depth() const { return {reflections, transmissions}; }
+  void set_depth(const Depth& depth) {
+    reflections = static_cast<std::int16_t>(depth.reflections);
+    transmissions = static_cast<std::int16_t>(depth.transmissions);
+  }
   bool has_bounced() const { return reflections + transmissions > 0; }
 };
 

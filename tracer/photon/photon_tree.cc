@@ -66,10 +66,10 @@ void PhotonTree::go_on(const Flight& flight, const Arrival& arrival, const Inter
     meet(flight, arrival, event, flux);
     return;
   }
-  const auto bounce = static_cast<std::uint64_t>(64 * flight.reflections + flight.transmissions);
+  const auto bounce = static_cast<std::uint64_t>(64 * flight.depth.reflections + flight.depth.transmissions);
   const auto u = padded_4d(within(stream_, bounce), flight.index);
   Interaction one = event;
-  roughen(scene_, arrival.hit, flight.ray.direction, arrival.media, flight.band, false, {u[0], u[1], u[2]}, one);
+  roughen(scene_, arrival.hit, flight.ray.direction, arrival.media, {u[0], u[1], u[2]}, one);
   meet(flight, arrival, one, flux);
 }
 
@@ -79,12 +79,12 @@ void PhotonTree::meet(const Flight& flight, const Arrival& arrival, const Intera
   if (event.reflect.exists) {
     const Rgb share = flux * event.reflect.weight;
     left = left - share;
-    send(flight, arrival, event.reflect, share, 1, 0);
+    send(flight, arrival, event.reflect, share);
   }
   if (event.transmit.exists) {
     const Rgb share = flux * event.transmit.weight;
     left = left - share;
-    send(flight, arrival, event.transmit, share, 0, 1);
+    send(flight, arrival, event.transmit, share);
   }
   if (flight.has_bounced() && can_be_diffuse(scene_.materials[event.material])) {
     const std::uint64_t way = on_the_way(scene_, flight.way, arrival, Turn::end);
@@ -95,17 +95,15 @@ void PhotonTree::meet(const Flight& flight, const Arrival& arrival, const Intera
   }
 }
 
-void PhotonTree::send(const Flight& from, const Arrival& arrival, const Branch& branch, Rgb flux, int reflections,
-                      int transmissions) {
+void PhotonTree::send(const Flight& from, const Arrival& arrival, const Branch& branch, Rgb flux) {
   Flight next = from;
   next.ray = {arrival.hit.point, branch.direction};
   next.departures = branch.departures;
   next.media = branch.media;
   next.flux = flux;
-  next.reflections += reflections;
-  next.transmissions += transmissions;
-  next.way = on_the_way(scene_, from.way, arrival, reflections > 0 ? Turn::reflect : Turn::transmit);
-  if (!scene_.within_depth(next.reflections, next.transmissions) || !(largest_channel(flux) >= from.least)) {
+  next.depth = from.depth.after(branch.way);
+  next.way = on_the_way(scene_, from.way, arrival, branch.way == Way::let_through ? Turn::transmit : Turn::reflect);
+  if (!scene_.within_depth(next.depth) || !(largest_channel(flux) >= from.least)) {
     ledger_.truncated += flux;
     return;
   }

@@ -23,8 +23,7 @@ class PhotonTree {
   void split_bands(Flight flight, const Arrival& arrival, Rgb flux);
   void go_on(const Flight& flight, const Arrival& arrival, const Interaction& event, Rgb flux);
   void meet(const Flight& flight, const Arrival& arrival, const Interaction& event, Rgb flux);
-  void send(const Flight& from, const Arrival& arrival, const Branch& branch, Rgb flux, int reflections,
-            int transmissions);
+  void send(const Flight& from, const Arrival& arrival, const Branch& branch, Rgb flux);
 
   const PhotonPass& pass_;
   const Scene& scene_;

@@ -132,8 +132,7 @@ void PhotonWave::follow_generally(std::size_t lane) {
   flight.least = now_.least(lane);
   flight.band_chosen = state.band >= 0;
   flight.band = flight.band_chosen ? static_cast<std::uint32_t>(state.band) : 0;
-  flight.reflections = state.reflections;
-  flight.transmissions = state.transmissions;
+  flight.depth = state.depth();
   tree_.follow(flight);
 }
 

@@ -175,12 +175,16 @@ void PhotonWave::send(const Group& group, const std::array<BendLanes::Column, 3>
   std::array<std::uint16_t, BendLanes::kCapacity> kept;
   std::size_t count = 0;
   const double* const least = std::as_const(now_).least_column();
+  const bool sends_back = faces_[group.object].transmits && !scene_.paper.tir_drop;
+  const auto way = [&](std::size_t i) {
+    if (passes) return Way::let_through;
+    return sends_back && bend_->radicand[i] < 0 ? Way::sent_back : Way::mirrored;
+  };
   for (std::size_t i = 0; i < group.count; ++i) {
     const Rgb share{flux[0][i], flux[1][i], flux[2][i]};
     const double largest = largest_channel(share);
-    const PhotonState& state = now_.state(group.lane[i]);
-    const bool goes_on = largest >= least[group.lane[i]] &&
-                         scene_.within_depth(state.reflections + !passes, state.transmissions + passes);
+    const Depth depth = now_.state(group.lane[i]).depth().after(way(i));
+    const bool goes_on = largest >= least[group.lane[i]] && scene_.within_depth(depth);
     kept[count] = static_cast<std::uint16_t>(i);
     count += goes_on && largest > 0;
     if (!goes_on) block_.ledger.truncated += share;
@@ -202,7 +206,7 @@ void PhotonWave::send(const Group& group, const std::array<BendLanes::Column, 3>
   for (std::size_t k = 0; k < count; ++k) {
     const std::size_t i = kept[k], from = group.lane[i];
     PhotonState state = now_.state(from);
-    (passes ? state.transmissions : state.reflections) += 1;
+    state.set_depth(state.depth().after(way(i)));
     if (passes) state.medium = medium;
     state.departed_face = group.face[i];
     state.band = group.band[i];

@@ -37,8 +37,7 @@ WayOn step(const Scene& scene, const Arrival& arrival, const StepSample& sample,
   choose_band(scene, arrival, sample[3], walk, event);
   if (!(largest_channel(walk.weight) > 0)) return WayOn::none;
   if (scene.plan.roughness && is_rough(event.roughness)) {
-    roughen(scene, arrival.hit, walk.ray.direction, arrival.media, walk.band, false, {sample[1], sample[2], sample[3]},
-            event);
+    roughen(scene, arrival.hit, walk.ray.direction, arrival.media, {sample[1], sample[2], sample[3]}, event);
   }
 
   // Draw a way on; what none of them carries ends here.
@@ -52,15 +51,15 @@ WayOn step(const Scene& scene, const Arrival& arrival, const StepSample& sample,
     walk.departures = branch.departures;
     walk.media = branch.media;
     walk.weight *= branch.weight * (scale / p);
+    walk.depth = walk.depth.after(branch.way);
+    return scene.within_depth(walk.depth);
   };
   if (u < reflects) {
-    take(event.reflect, reflects);
-    return scene.within_depth(++walk.reflections, walk.transmissions) ? WayOn::reflect : WayOn::none;
+    return take(event.reflect, reflects) ? WayOn::reflect : WayOn::none;
   }
   u -= reflects;
   if (u < transmits) {
-    take(event.transmit, transmits);
-    return scene.within_depth(walk.reflections, ++walk.transmissions) ? WayOn::transmit : WayOn::none;
+    return take(event.transmit, transmits) ? WayOn::transmit : WayOn::none;
   }
   u -= transmits;
   if (u >= scatters) return WayOn::none;
@@ -68,7 +67,7 @@ WayOn step(const Scene& scene, const Arrival& arrival, const StepSample& sample,
   walk.departures = arrival.hit.back();
   walk.media = arrival.media;
   walk.weight *= event.diffuse * (scale / scatters);
-  walk.reflections = walk.transmissions = 0;
+  walk.depth = {};
   return WayOn::diffuse;
 }
 

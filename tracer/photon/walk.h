@@ -14,7 +14,7 @@ struct Walk {
   Rgb weight;
   std::uint32_t band = 0;
   bool band_chosen = false;
-  int reflections = 0, transmissions = 0;  // since the last diffuse surface
+  Depth depth{};  // since the last diffuse surface
 };
 
 /// Numbers in (0, 1) for one step: which way on, two for its direction, which band.

@@ -151,7 +151,7 @@ class BeamPainter {
     const Arrival arrival = advance(scene_, intersector_, ray, {}, media, 0, !scene_.paper.disperse_camera);
     if (arrival.escaped || !(dot(arrival.event.facing_normal, normal_) > 0) || is_elsewhere(arrival.hit.point)) return;
     const double cosine = -dot(ray.direction, arrival.event.facing_normal);
-    const double ratio = ior_in(scene_, media, 0) / arrival.event.ior_before;
+    const double ratio = ior_in(scene_, media, 0) / arrival.event.index.from;
     const double pixels_per_m2 = seen_at(arrival.hit.point, seen) * cosine;
     deposits_->push_back({x, y,
                           arrival.transmittance * arrival.event.diffuse * power_at(piece, seen, place) *

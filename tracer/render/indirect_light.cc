@@ -36,7 +36,7 @@ Rgb gathered_radiance(const Scene& scene, const Intersector& intersector, const 
                            .irradiance;
       irradiance += maps.caustic.irradiance(half, query);
       irradiance += map_irradiance(maps.indirect.half[half], query);
-      const double ratio = ior_at_start / event.ior_before;
+      const double ratio = ior_at_start / event.index.from;
       return walk.weight * event.diffuse * irradiance * (ratio * ratio / (M_PI * stops));
     }
     walk.weight = walk.weight * (1 / (1 - stops));

@@ -37,7 +37,7 @@ Deposit deposit_of(const Scene& scene, const Intersector& intersector, const Pho
   if (arrival.escaped || length(arrival.hit.point - photon.position) > kSamePlace * radius_m) return {};
   const Vec3 normal = arrival.event.facing_normal;
   if (!(dot(normal, photon.normal) > 0)) return {};
-  const double cosine = -dot(ray.direction, normal), ratio = ior_in(scene, media, 0) / arrival.event.ior_before;
+  const double cosine = -dot(ray.direction, normal), ratio = ior_in(scene, media, 0) / arrival.event.index.from;
   const double pixels_per_m2 = seen->pixels_per_facing_m2 * cosine;
   return {x, y, arrival.transmittance * arrival.event.diffuse * photon.flux * (pixels_per_m2 * ratio * ratio / M_PI)};
 }

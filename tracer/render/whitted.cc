@@ -64,7 +64,7 @@ void CameraTracer::trace(const CameraPath& path, PathResult& result) {
 void CameraTracer::scatter(const Look& look, const Arrival& arrival, const Interaction& event, Rgb throughput,
                            PathResult& result) {
   // Radiance inside glass is larger by the index squared; the camera sees it without that factor [O 1.1 row 10].
-  const double ratio = ior_at_camera_ / event.ior_before;
+  const double ratio = ior_at_camera_ / event.index.from;
   const Rgb seen = throughput * (ratio * ratio);
   result.radiance[look.layer] += seen * event.emission;
   if (is_black(event.diffuse)) return;
@@ -80,7 +80,7 @@ void CameraTracer::scatter(const Look& look, const Arrival& arrival, const Inter
 }
 
 // Whether the solver has already counted the photons here in the pixel that sees them directly.
-bool CameraTracer::is_binned(const Look& look) const { return in_bins_ && look.reflections + look.transmissions == 0; }
+bool CameraTracer::is_binned(const Look& look) const { return in_bins_ && look.depth.faces() == 0; }
 
 // Constant ambient light, or what the global photon map and a look around say.
 Rgb CameraTracer::indirect(const Look& look, const Arrival& arrival, const Interaction& event) const {
@@ -107,7 +107,7 @@ void CameraTracer::go_on(const Look& look, const Arrival& arrival, const Interac
   }
   const int several = look.scattered ? 1 : std::max(1, scene_.settings.rough_samples);
   const int count = several + (scene_.paper.literal_sum ? 1 : 0);  // the printed sum runs from 0 to n [O 1.1 row 20]
-  const int bounce = 64 * look.reflections + look.transmissions;
+  const int bounce = 64 * look.depth.reflections + look.depth.transmissions;
   const Stream stream = within(path_.rough, static_cast<std::uint64_t>(bounce));
   Look scattered = look;
   scattered.scattered = true;
@@ -115,39 +115,46 @@ void CameraTracer::go_on(const Look& look, const Arrival& arrival, const Interac
     const auto u =
         padded_4d(stream, path_.draw.sample * static_cast<std::uint32_t>(count) + static_cast<std::uint32_t>(i));
     Interaction one = event;
-    roughen(scene_, arrival.hit, look.ray.direction, arrival.media, look.band, !scene_.paper.disperse_camera,
-            {u[0], u[1], u[2]}, one);
+    roughen(scene_, arrival.hit, look.ray.direction, arrival.media, {u[0], u[1], u[2]}, one);
     meet(scattered, arrival, one, throughput * (1.0 / several));
   }
 }
 
 void CameraTracer::meet(const Look& look, const Arrival& arrival, const Interaction& event, Rgb throughput) {
-  // The first specular event names the layer, total internal reflection anywhere overrides it.
-  const auto layer_after = [&](Layer first) { return look.layer == Layer::diffusion ? first : look.layer; };
-  if (event.transmit.exists) {
-    send(look, arrival, event.transmit, throughput * event.transmit.weight, layer_after(Layer::refraction), 0, 1);
-  }
-  if (event.reflect.exists) {
-    const Layer layer =
-        event.total_internal_reflection ? Layer::total_internal_reflection : layer_after(Layer::reflection);
-    send(look, arrival, event.reflect, throughput * event.reflect.weight, layer, 1, 0);
+  for (const Branch* branch : {&event.transmit, &event.reflect}) {
+    if (branch->exists) send(look, arrival, *branch, throughput * branch->weight);
   }
 }
 
-void CameraTracer::send(const Look& look, const Arrival& arrival, const Branch& branch, Rgb throughput, Layer layer,
-                        int reflections, int transmissions) {
-  if (!(largest_channel(throughput) >= kLeastCameraShare)) return;
-  if (!scene_.within_depth(look.reflections + reflections, look.transmissions + transmissions)) return;
+namespace {
+
+// The first specular event names the layer, total internal reflection anywhere overrides it.
+Layer layer_after(Layer before, Way way) {
+  switch (way) {
+    case Way::sent_back:
+      return Layer::total_internal_reflection;
+    case Way::mirrored:
+      return before == Layer::diffusion ? Layer::reflection : before;
+    case Way::let_through:
+      return before == Layer::diffusion ? Layer::refraction : before;
+  }
+  __builtin_unreachable();
+}
+
+}  // namespace
+
+void CameraTracer::send(const Look& look, const Arrival& arrival, const Branch& branch, Rgb throughput) {
+  const Depth depth = look.depth.after(branch.way);
+  if (!(largest_channel(throughput) >= kLeastCameraShare) || !scene_.within_depth(depth)) return;
   pending_.push_back({{arrival.hit.point, branch.direction},
                       branch.departures,
                       branch.media,
                       throughput,
                       look.band,
                       look.band_chosen,
-                      look.reflections + reflections,
-                      look.transmissions + transmissions,
+                      depth,
                       look.scattered,
-                      layer});
+                      layer_after(look.layer, branch.way)});
 }
 
 }  // namespace vitrail

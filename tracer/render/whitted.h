@@ -54,7 +54,7 @@ class CameraTracer {
     Rgb throughput;
     std::uint32_t band = 0;
     bool band_chosen = false;
-    int reflections = 0, transmissions = 0;
+    Depth depth{};
     bool scattered = false;  // has met a rough face
     Layer layer = Layer::diffusion;
   };
@@ -63,8 +63,7 @@ class CameraTracer {
   void go_on(const Look& look, const Arrival& arrival, const Interaction& event, Rgb throughput);
   void meet(const Look& look, const Arrival& arrival, const Interaction& event, Rgb throughput);
   void scatter(const Look& look, const Arrival& arrival, const Interaction& event, Rgb throughput, PathResult& result);
-  void send(const Look& look, const Arrival& arrival, const Branch& branch, Rgb throughput, Layer layer,
-            int reflections, int transmissions);
+  void send(const Look& look, const Arrival& arrival, const Branch& branch, Rgb throughput);
 
   const Scene& scene_;
   const Intersector& intersector_;

@@ -185,6 +185,23 @@ struct Transport {
   int max_reflections = 8, max_transmissions = 64;
 };
 
+/// How light goes on from a mirror or a face of glass.
+enum class Way {
+  mirrored,  // the mirror's share
+  let_through,
+  sent_back,  // by total reflection: what would have been let through
+};
+
+/// The faces on a path so far. What total reflection sends back never branches, so it counts with what is let through.
+struct Depth {
+  int reflections = 0, transmissions = 0;
+
+  int faces() const { return reflections + transmissions; }
+  Depth after(Way way) const {
+    return way == Way::mirrored ? Depth{reflections + 1, transmissions} : Depth{reflections, transmissions + 1};
+  }
+};
+
 /// Literal readings of the paper, each switched on by name.
 struct Paper {
   bool tir_drop = false;            // "tir": "drop" instead of "reflect"
@@ -233,10 +250,10 @@ struct Scene {
 
   const Material& material_of(std::uint32_t object) const { return materials[objects[object].material]; }
 
-  /// Whether light may go on after so many mirrorings and crossings.
-  bool within_depth(int reflections, int transmissions) const {
-    if (paper.count_transmission) return reflections + transmissions <= transport.max_reflections;
-    return reflections <= transport.max_reflections && transmissions <= transport.max_transmissions;
+  /// Whether light may go on after so many faces.
+  bool within_depth(const Depth& depth) const {
+    if (paper.count_transmission) return depth.faces() <= transport.max_reflections;
+    return depth.reflections <= transport.max_reflections && depth.transmissions <= transport.max_transmissions;
   }
 };
 

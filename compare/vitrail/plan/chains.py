@@ -1,4 +1,7 @@
-"""How many mirrorings and crossings of a glass face one path can make, where geometry proves a limit."""
+"""How many mirrorings and crossings of a glass face one path can make, where geometry proves a limit.
+
+A total reflection counts with the crossings: it sends back the light that would have crossed.
+"""
 
 from __future__ import annotations
 
@@ -29,13 +32,23 @@ def longest_chain(scene: Scene) -> Chain:
         if all(_is_invisible(scene.material_of(item)) and is_convex_or_flat(item) for item in specular):
             faces = sum(1 if isinstance(item.shape, Plane) else 2 for item in specular)
             return _chain(scene, 0, faces, "all glass has index 1 and mirrors nothing: light goes straight on")
-        if len(specular) == 1 and _is_left_for_good(scene, specular[0]):
+        if len(specular) == 1 and _traps_nothing(scene, specular[0]):
             return _in_and_out(scene, specular[0])
+    return _unproven(scene, specular)
+
+
+def _unproven(scene: Scene, specular: list[Object]) -> Chain:
+    """The limits of the scene, but no reflection where nothing has a mirror share and no crossing where all is opaque.
+
+    Where both count as one, the limit of reflections is that of all and stays.
+    """
     limits = scene.transport
     names = ", ".join(f"`{item.name}`" for item in specular[:8]) + (" and more" if len(specular) > 8 else "")
-    crossed = any(scene.material_of(item).is_transmissive for item in specular)
-    transmissions = limits.max_transmissions if crossed else 0
-    return Chain(limits.max_reflections, transmissions, False, f"no limit is proven for {names}")
+    materials = [scene.material_of(item) for item in specular]
+    mirrors = any(_mirrors(material) for material in materials) or scene.paper.count_transmission
+    reflections = limits.max_reflections if mirrors else 0
+    transmissions = limits.max_transmissions if any(material.is_transmissive for material in materials) else 0
+    return Chain(reflections, transmissions, False, f"no limit is proven for {names}")
 
 
 def _chain(scene: Scene, reflections: int, transmissions: int, reason: str) -> Chain:
@@ -43,18 +56,22 @@ def _chain(scene: Scene, reflections: int, transmissions: int, reason: str) -> C
     return Chain(min(reflections, limits.max_reflections), min(transmissions, limits.max_transmissions), True, reason)
 
 
-def _in_and_out(scene: Scene, glass: Object) -> Chain:
-    """Light gets into convex glass and out once; only how often it is mirrored inside stays without a limit."""
+def _in_and_out(scene: Scene, ball: Object) -> Chain:
+    """Light gets into a ball and out once; only how often it is mirrored inside stays without a limit."""
     limits = scene.transport
-    reason = f"no limit of reflections is proven inside `{glass.name}`, which light enters and leaves once"
-    return Chain(limits.max_reflections, min(2, limits.max_transmissions), False, reason)
+    reflections = limits.max_reflections if _mirrors(scene.material_of(ball)) else 0
+    reason = f"no limit of reflections is proven inside `{ball.name}`, which light enters and leaves once"
+    return Chain(reflections, min(2, limits.max_transmissions), False, reason)
 
 
-def _is_left_for_good(scene: Scene, item: Object) -> bool:
-    """Smooth convex or flat glass, the camera outside: what leaves it goes straight on and never meets it again."""
+def _traps_nothing(scene: Scene, item: Object) -> bool:
+    """A smooth ball of glass that all light enters from outside: it may be mirrored inside, but never totally.
+
+    A ray inside a ball meets every face at the angle at which it entered. One that is totally reflected at the outside,
+    where the ball is the thinner medium, never meets it again.
+    """
     material = scene.material_of(item)
-    is_smooth_glass = material.is_transmissive and material.roughness == 0
-    return is_smooth_glass and is_convex_or_flat(item) and not camera_may_be_inside(scene, item)
+    return material.is_transmissive and material.roughness == 0 and _is_entered_from_outside(scene, item)
 
 
 def _mirrors_once(scene: Scene, item: Object) -> bool:
@@ -77,11 +94,15 @@ def _is_crossed_once(scene: Scene, item: Object) -> bool:
     """A smooth ball of glass without mirror share, entered from outside: what gets in leaves at the next face.
 
     A ray inside a ball meets every face at the angle at which it entered, so it is never totally reflected. That
-    needs an index above 1 for every colour, a smooth face that scatters nothing (scattered light starts inside), and
-    the camera and all lamps outside.
+    needs an index above 1 for every colour and a smooth face that scatters nothing (scattered light starts inside).
     """
-    material, shape = scene.material_of(item), place(item).shape
-    if not isinstance(shape, Sphere) or not _passes_only(material):
+    return _passes_only(scene.material_of(item)) and _is_entered_from_outside(scene, item)
+
+
+def _is_entered_from_outside(scene: Scene, item: Object) -> bool:
+    """A ball with the camera and all lamps outside."""
+    shape = place(item).shape
+    if not isinstance(shape, Sphere):
         return False
     if any(isinstance(light.emitter, Area) for light in scene.lights) or camera_may_be_inside(scene, item):
         return False
@@ -91,6 +112,10 @@ def _is_crossed_once(scene: Scene, item: Object) -> bool:
 
 def _passes_only(material: Material) -> bool:
     """Light that meets a face is transmitted or lost, at an index above 1."""
-    mirrors = max(material.reflection) >= SHARE or material.fresnel
     bends_inward = material.ior is not None and material.ior > 1 and material.dispersion is None
-    return bends_inward and not mirrors and not material.is_diffuse and material.roughness == 0
+    return bends_inward and not _mirrors(material) and not material.is_diffuse and material.roughness == 0
+
+
+def _mirrors(material: Material) -> bool:
+    """Light is mirrored at a face even where it could be let through."""
+    return max(material.reflection) >= SHARE or material.fresnel

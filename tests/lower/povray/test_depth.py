@@ -15,9 +15,10 @@ PANEL = "- {name: panel, rectangle: {center: [4.01, 0, 0], u: [0, 4, 0], v: [0, 
 MATERIALS = "glass: {transmission: 1, ior: 1.5}\npanel: {emission: 1}"
 
 
-@pytest.mark.parametrize("most", [0, 2, 3, 4])
-def test_light_in_a_pipe_is_mirrored_as_often_as_the_scene_allows(most: int) -> None:
-    """Unfolded: a ray that enters at y with the slope t crosses floor((y + 4 t) / 0.5) walls before it gets out."""
+@pytest.mark.parametrize("most", [2, 4, 5, 6])
+def test_light_in_a_pipe_meets_as_many_faces_as_the_scene_allows(most: int) -> None:
+    """Unfolded: a ray that enters at y with the slope t is totally reflected at floor((y + 4 t) / 0.5) walls
+    before it gets out: these and the two ends are its transmissions."""
     sine = 0.615
     slope = (sine / 1.5) / math.sqrt(1 - (sine / 1.5) ** 2)
     # Look at the end face at this angle, 64 rows of it.
@@ -28,26 +29,32 @@ def test_light_in_a_pipe_is_mirrored_as_often_as_the_scene_allows(most: int) -> 
         f"camera: {{kind: orthographic, position: {position.tolist()}, look_at: [0, 0.25, 0],"
         f" up: [0, 1, 0], height: {height}}}"
     )
-    image, limits = "image: {width: 4, height: 64}", f"transport: {{max_reflections: {most}}}"
+    image, limits = "image: {width: 4, height: 64}", f"transport: {{max_transmissions: {most}}}"
     loaded = scene(MATERIALS, f"{PIPE}\n{PANEL}", lights="", camera=camera, image=image, more=limits)
     entry = 0.5 - (np.arange(64) + 0.5) / 64 * 0.5
     walls = np.floor((entry + 4 * slope) / 0.5)
     clear = abs((entry + 4 * slope) / 0.5 - np.round((entry + 4 * slope) / 0.5)) > 0.02
-    expected = (walls <= most).astype(float)
+    expected = (walls + 2 <= most).astype(float)
     assert walls.min() == 3 and walls.max() == 4
     assert rendered(loaded).image.radiance[clear, 1, 0] == pytest.approx(expected[clear], abs=1e-3)
 
 
 def test_where_the_counter_is_longer_than_the_scene_allows_the_certificate_names_the_weight_of_such_a_path() -> None:
     second = PIPE.replace("pipe", "other").replace("0, 0, -0.5", "0, 1, -0.5").replace("4, 0.5, 0.5", "4, 1.5, 0.5")
-    materials = MATERIALS.replace("transmission: 1", "transmission: 0.9")
-    limits = "transport: {max_reflections: 3}"
-    certificate = lowered(scene(materials, f"{PIPE}\n{second}\n{PANEL}", more=limits)).certificate
-    mirrored = [entry for entry in certificate.of(Phenomenon.REFRACTION) if "reflections" in entry.source_law]
-    assert [entry.residual for entry in mirrored] == [pytest.approx(0.9**4)]
-    # It says what one path may weigh, not how many there are, so it widens no tolerance.
-    assert mirrored[0].unit == "of a path"
-    assert certificate.bound(Phenomenon.REFRACTION) < 0.001
+    limits = "transport: {max_reflections: 3, max_transmissions: 10}"
+    for shares, expected in (
+        ("reflection: 0.2, transmission: 0.7", {"at most 3 reflections": 0.2**4, "at most 10 transmissions": 0.9**11}),
+        ("transmission: 0.9, fresnel: true", {"at most 3 reflections": 0.9**4, "at most 10 transmissions": 0.9**11}),
+        # What mirrors only totally has one counter in the scene, too.
+        ("transmission: 0.9", {}),
+    ):
+        materials = MATERIALS.replace("transmission: 1", shares)
+        certificate = lowered(scene(materials, f"{PIPE}\n{second}\n{PANEL}", more=limits)).certificate
+        entries = [entry for entry in certificate.of(Phenomenon.REFRACTION) if "at most" in entry.source_law]
+        assert {entry.source_law: entry.residual for entry in entries} == pytest.approx(expected)
+        # They say what one path may weigh, not how many there are, so they widen no tolerance.
+        assert {entry.unit for entry in entries} <= {"of a path"}
+        assert certificate.bound(Phenomenon.REFRACTION) < 0.001
 
 
 def test_mirrors_that_face_each_other_show_each_other_as_often_as_the_scene_allows() -> None:

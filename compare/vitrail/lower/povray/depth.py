@@ -1,7 +1,8 @@
 """How deep POV-Ray traces: one counter for what the scene counts apart.
 
 POV-Ray answers black beyond ``max_trace_level``; a level is a face crossed or mirrored at, plus one for what is seen at
-the end [P 4.3, 2.7]. The scene limits reflections and transmissions separately, so their sum is the level.
+the end [P 4.3, 2.7]. The scene limits reflections and transmissions separately, so their sum is the level; where
+nothing mirrors but totally, which counts as a transmission, both count alike.
 """
 
 from __future__ import annotations

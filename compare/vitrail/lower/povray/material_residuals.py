@@ -52,9 +52,17 @@ def mirror_share(material: Material) -> float:
 
 
 def longest_lived_share(material: Material) -> float:
-    """What one reflection leaves of a path at most: r + t where light may be inside and reflected totally, else r."""
-    inside = material.is_transmissive and material.ior != 1
-    return max(specular_pool(material, Exposure())) if inside else mirror_share(material)
+    """What one reflection leaves of a path at most where light could also go through: r, by Fresnel nearly all."""
+    near_total = material.fresnel and material.is_transmissive and material.ior != 1
+    return max(specular_pool(material, Exposure())) if near_total else mirror_share(material)
+
+
+def trapped_share(material: Material) -> float:
+    """What one crossing, or one total reflection instead, leaves of a path at most."""
+    if not material.is_transmissive:
+        return 0.0
+    bends = material.fresnel or material.ior != 1
+    return max(specular_pool(material, Exposure()) if bends else material.transmission)
 
 
 def _pool(item: str, material: Material) -> Iterator[Entry]:

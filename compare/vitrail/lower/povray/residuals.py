@@ -11,7 +11,7 @@ from vitrail.lower.povray.depth import LIMIT, TraceDepth
 from vitrail.lower.povray.gaps import GAP, Shrunk
 from vitrail.lower.povray.indices import Indices
 from vitrail.lower.povray.lights import FADE_SHARE, Source
-from vitrail.lower.povray.material_residuals import longest_lived_share, material_entries
+from vitrail.lower.povray.material_residuals import longest_lived_share, material_entries, trapped_share
 from vitrail.lower.povray.modes import Mode
 from vitrail.lower.povray.nesting import HAIR, Nesting
 from vitrail.lower.povray.normalise import Normalisation
@@ -30,7 +30,7 @@ HALF_FLOAT = 4.9e-4
 
 
 IN_AND_OUT = 2
-"""Transmissions of a path through lone convex glass: so far POV-Ray's counter cuts reflections where the scene does."""
+"""Transmissions of a path through a lone ball: so far POV-Ray's counter cuts reflections where the scene does."""
 
 
 @dataclass(frozen=True)
@@ -185,19 +185,32 @@ def _depth(translation: Translation) -> Iterator[Entry]:
     yield Entry(shown, "path", "every branch", kept, 2 * depth.adc_bailout, RELATIVE, reason)
     if depth.wanted > LIMIT:
         yield _too_deep(depth, shown)
-    if depth.is_proven:
+    if not depth.is_proven:
+        yield from _one_counter(translation, shown)
+
+
+def _one_counter(translation: Translation, shown: Phenomenon) -> Iterator[Entry]:
+    """Paths that the scene ends because one of its two counters is full, and POV-Ray lets go on."""
+    chain, level = translation.plan.chain, translation.depth.level
+    if chain.transmissions <= IN_AND_OUT:
         return
-    share = max(longest_lived_share(material) for material in scene.materials.values() if material.is_specular)
-    if plan.chain.transmissions > IN_AND_OUT and share > 0:
-        yield Entry(
-            shown,
-            "path",
-            f"at most {plan.chain.reflections} reflections",
-            f"at most {depth.level} levels of both kinds",
-            share ** (plan.chain.reflections + 1),
-            "of a path",
-            "what a path weighs that is mirrored once more; how many there are depends on the shapes",
-        )
+    specular = [material for material in translation.scene.materials.values() if material.is_specular]
+    mirrored = max(longest_lived_share(material) for material in specular)
+    crossed = max(trapped_share(material) for material in specular) if chain.reflections > 0 else 0.0
+    for most, what, share in (
+        (chain.reflections, "reflections", mirrored),
+        (chain.transmissions, "transmissions", crossed),
+    ):
+        if share > 0:
+            yield Entry(
+                shown,
+                "path",
+                f"at most {most} {what}",
+                f"at most {level} levels of both kinds",
+                share ** (most + 1),
+                "of a path",
+                "what a path weighs that has one more; how many there are depends on the shapes",
+            )
 
 
 def _too_deep(depth: TraceDepth, shown: Phenomenon) -> Entry:
