@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import json
+import re
 import subprocess
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from tests.commands.command_line import ROOT, SCENE, files_in, run
 from vitrail.commands.app import VERBS, Verbs
 from vitrail.commands.exit_code import ENGINE_FAILED, INTERRUPTED, NOT_TRANSLATABLE, SCENE_ERROR
+from vitrail.images.exr import write_image
 from vitrail.judge import exit_code as verdict_codes
 from vitrail.scene.phenomenon import Phenomenon
 
@@ -106,6 +109,18 @@ def test_emit_povray_writes_scene_texts_and_the_certificate(tmp_path: Path) -> N
     names = files_in(tmp_path)
     assert "certificate.json" in names
     assert any(name.endswith(".pov") for name in names)
+
+
+def test_emit_povray_writes_the_sky_that_its_texts_name(tmp_path: Path) -> None:
+    write_image(tmp_path / "above.exr", np.ones((2, 4, 3)))
+    sky = "environment: {file: above.exr}"
+    text = SCENE.read_text(encoding="utf-8")
+    (tmp_path / "scene.yaml").write_text(text.replace("lights:\n", f"lights:\n  - {{name: above, {sky}}}\n"))
+    result = run("emit", "povray", tmp_path / "scene.yaml", "--out", tmp_path / "out")
+    assert result.exit_code == 0, result.stderr
+    texts = [path.read_text(encoding="ascii") for path in (tmp_path / "out").glob("*.pov")]
+    named = {name for text in texts for name in re.findall(r'exr "([^"]*)"', text)}
+    assert named and named == {path.name for path in (tmp_path / "out").glob("*.exr")}
 
 
 def test_explain_prints_the_certificate() -> None:

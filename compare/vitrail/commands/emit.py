@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from enum import StrEnum
 from pathlib import Path
-from typing import assert_never
+from typing import TYPE_CHECKING, assert_never
 
 import typer
 
 from vitrail.commands.exit_code import exit_codes
 from vitrail.commands.output import print_json, write_whole
 from vitrail.commands.settings_options import QUALITY, SETTINGS, parse_settings
+
+if TYPE_CHECKING:
+    import numpy as np
 
 
 class EngineName(StrEnum):
@@ -27,15 +30,20 @@ def emit(
     as_json: bool = typer.Option(False, "--json", help="Print the names of the files as JSON."),
 ) -> None:
     with exit_codes():
-        texts = emitted(engine, scene, quality, settings)
-        for name, text in texts.items():
-            write_whole(out / name, text)
-    names = [str(out / name) for name in texts]
+        from vitrail.engines.povray_result import write_sky
+
+        files = emitted(engine, scene, quality, settings)
+        for name, content in files.items():
+            if isinstance(content, str):
+                write_whole(out / name, content)
+            else:
+                write_sky(out / name, content)
+    names = [str(out / name) for name in files]
     print_json({"files": names}) if as_json else typer.echo("\n".join(names))
 
 
-def emitted(engine: EngineName, path: Path, quality: str, assignments: list[str]) -> dict[str, str]:
-    """File name to text, all made before the first is written."""
+def emitted(engine: EngineName, path: Path, quality: str, assignments: list[str]) -> dict[str, str | np.ndarray]:
+    """File name to text, or to the pixels of a sky; all made before the first is written."""
     from vitrail.commands.scene_file import read_scene
     from vitrail.lower.canonical_json import canonical_json
     from vitrail.lower.tracer import lower_tracer
@@ -54,6 +62,7 @@ def emitted(engine: EngineName, path: Path, quality: str, assignments: list[str]
             translated = lower_povray(loaded.scene, found, chosen, loaded)
             certificate = canonical_json(translated.certificate.as_records())
             scenes = {name: text for run in translated.runs for name, text in run.texts.items()}
-            return {**scenes, "certificate.json": certificate}
+            skies = {run.sky.name: run.sky.pixels for run in translated.runs if run.sky is not None}
+            return {**scenes, **skies, "certificate.json": certificate}
         case _:
             assert_never(engine)

@@ -19,7 +19,7 @@ from vitrail.engines.isolate import Allowance, isolate
 from vitrail.engines.photon_file import PhotonFileError, fluxes_of, order_photon_file, write_dark_photon
 from vitrail.engines.povray_output import complaint_of, progress_of, statistics_of, version_of
 from vitrail.engines.povray_result import Execution, Outcome, PhotonCensus, write_result
-from vitrail.images.exr import ImageError, read_image
+from vitrail.images.exr import ImageError, read_image, write_image
 from vitrail.lower.povray import PovrayRun, PovrayScene
 from vitrail.lower.povray.photons import PHOTON_FILE
 
@@ -103,6 +103,8 @@ class Povray:
         """One run in a fresh folder: shoot photons and put their map in order, then render with it."""
         with tempfile.TemporaryDirectory(prefix="vitrail-povray-") as name:
             folder = Path(name)
+            if run.sky is not None:
+                write_image(folder / run.sky.name, run.sky.pixels, pixel_type="half")
             census = None
             if run.photon_sdl is not None:
                 shot = self._execute(run.photon_sdl, 1, 1, folder, lowered, shown, run.name)

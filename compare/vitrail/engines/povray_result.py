@@ -57,12 +57,14 @@ class Outcome:
 def write_result(
     out_dir: Path, lowered: PovrayScene, outcomes: list[Outcome], version: str, threads: int, wall_s: float
 ) -> Rendering:
-    """Write the scene texts, the image and the record, in this order, each whole or not at all."""
+    """Write the scene texts with their skies, the image and the record, in this order, each whole or not at all."""
     out_dir.mkdir(parents=True, exist_ok=True)
     record = _record(version, lowered, outcomes, threads, wall_s)
     for run in lowered.runs:
         for name, text in run.texts.items():
             _write_text(out_dir / "povray" / name, text)
+        if run.sky is not None:
+            write_sky(out_dir / "povray" / run.sky.name, run.sky.pixels)
     image = _write_image(out_dir / "povray.exr", lowered, outcomes, version)
     _write_text(out_dir / "povray.run.json", canonical_json(record))
     return Rendering(image, record)
@@ -185,6 +187,14 @@ def _warnings(outcomes: list[Outcome]) -> list[str]:
         if outcome.done.statistics.deepest_level >= outcome.done.statistics.level_limit > 0
     }
     return [f"camera rays reached the scene's limit of {limit} levels; what lies deeper is black" for limit in limits]
+
+
+def write_sky(path: Path, pixels: np.ndarray) -> None:
+    """Write a sky whole, and once for all runs that see it: its name says the content."""
+    if not path.is_file():
+        partial = path.with_name(f".{path.name}.partial.exr")
+        write_image(partial, pixels, pixel_type="half")
+        os.replace(partial, path)
 
 
 def _write_text(path: Path, text: str) -> None:

@@ -15,6 +15,8 @@ from vitrail.scene.model import Scene
 from vitrail.scene.phenomenon import Phenomenon
 
 RELATIVE = "relative"
+HALF_FLOAT = 4.9e-4
+"""Largest relative rounding of an 11-bit mantissa: half a step at its low end [P 6]."""
 IDENTIFIER = re.compile(r"\b([OML])(\d+)\b")
 """What an object, a material or a light is called in the SDL: its kind and its number from 1."""
 

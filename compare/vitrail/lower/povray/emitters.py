@@ -93,14 +93,20 @@ def sun_directions(direction: Vec, diameter_deg: float, grid: Grid) -> list[Emit
 
 def sphere_directions(grid: Grid) -> list[Emitter]:
     """Directions over the whole sphere, equal solid angles; many, because half of them are behind every surface."""
-    columns, rows = _columns_and_rows(SKY_SHARE * grid.count, math.pi)
+    cells = list(sphere_cells(grid))
     found = []
-    for a, b in _cells(columns, rows, grid):
+    for a, b in cells:
         z, turn = 1 - 2 * b, 2 * math.pi * a
         ring = math.sqrt(max(0.0, 1 - z * z))
         way = (ring * math.cos(turn), z, ring * math.sin(turn))
-        found.append(Emitter((0.0, 0.0, 0.0), way, 1 / (columns * rows)))
+        found.append(Emitter((0.0, 0.0, 0.0), way, 1 / len(cells)))
     return found
+
+
+def sphere_cells(grid: Grid) -> Iterator[tuple[float, float]]:
+    """A point in each cell of the unit square that a whole sphere is mapped to: around, and from pole to pole."""
+    columns, rows = _columns_and_rows(SKY_SHARE * grid.count, math.pi)
+    return _cells(columns, rows, grid)
 
 
 def _disc_cells(grid: Grid) -> Iterator[tuple[float, float, float]]:

@@ -14,6 +14,7 @@ from collections.abc import Sequence
 from vitrail.lower.povray.exposure import Exposure, Triplet
 from vitrail.lower.povray.lights import Source
 from vitrail.lower.povray.photons import FLUX_LIMIT, PhotonPass, main_path_share, photon_flux
+from vitrail.lower.povray.sky import BRIGHTEST, Skies
 from vitrail.scene.model import Checker, Material, Scene
 
 ABOVE_THE_STEP = 1 + 2e-6
@@ -24,8 +25,11 @@ MANTISSA = 255 / 256
 """The largest mantissa of 8 bits; 180 / 256, that of the second half, divides by the same step."""
 
 
-def light_factor(scene: Scene, lights: Sequence[Source], photons: PhotonPass | None, exposure: Exposure) -> float:
-    """The factor for one run."""
+def light_factor(
+    scene: Scene, lights: Sequence[Source], skies: Skies, photons: PhotonPass | None, exposure: Exposure
+) -> float:
+    """The factor for one run; no pixel of a sky times it is brighter than half floats hold."""
+    pixel = max((max(exposure.share(sky.peak)) for sky in skies.values()), default=0.0)
     brightest = max((max(exposure.share(source.strength)) * _nearness(source) for source in lights), default=0.0)
     glow = max((max(exposure.share(_peak(m))) for m in scene.materials.values() if m.emission is not None), default=0.0)
     peak = max(brightest, glow)
@@ -33,7 +37,10 @@ def light_factor(scene: Scene, lights: Sequence[Source], photons: PhotonPass | N
         return 1.0
     factor = 2.0 ** round(-math.log2(peak))
     if photons is None or brightest == 0:
-        return factor * HEADROOM
+        factor *= HEADROOM
+        while factor * pixel > BRIGHTEST:
+            factor /= 2
+        return factor
     main = max(
         photon_flux(source, ball, photons.spacing["a"], max(exposure.share(source.strength)))
         for source in lights
@@ -42,7 +49,7 @@ def light_factor(scene: Scene, lights: Sequence[Source], photons: PhotonPass | N
     # Choose the power of two that changes the factor least and keeps the largest flux below the limit.
     stored = main * main_path_share(scene, exposure)
     target = 2.0 ** round(math.log2(stored * factor))
-    while main * target / stored > FLUX_LIMIT:
+    while main * target / stored > FLUX_LIMIT or pixel * target / stored > BRIGHTEST:
         target /= 2
     return target * MANTISSA * ABOVE_THE_STEP / stored
 

@@ -25,6 +25,7 @@ from vitrail.lower.povray.normalise import Normalisation
 from vitrail.lower.povray.refusal import NotTranslatable, Refusals
 from vitrail.lower.povray.sdl import block, number, rgb, vector
 from vitrail.lower.povray.shapes import aperture
+from vitrail.lower.povray.sky import Skies
 from vitrail.scene.diagnostic import Diagnostic
 from vitrail.scene.distance import distance_to_surface
 from vitrail.scene.model import Area, Directional, Disc, Environment, Light, Point, Rectangle, Scene, Spot
@@ -67,13 +68,14 @@ class Source:
     aside: float = 0.0
 
 
-def sources(scene: Scene, units: Normalisation, grid: Grid, refusals: Refusals) -> tuple[Source, ...]:
+def sources(scene: Scene, units: Normalisation, grid: Grid, skies: Skies, refusals: Refusals) -> tuple[Source, ...]:
     """The lights of a scene as POV-Ray lights, a grid for each that is no point; raises NotTranslatable."""
     refused: list[Diagnostic] = []
     found: list[Source] = []
     for index, light in enumerate(scene.lights):
         try:
-            found += _sources(light, index, scene, units, replace(grid, seed=grid.seed + index), refusals)
+            own = replace(grid, seed=grid.seed + index)
+            found += _sources(light, index, scene, units, own, skies, refusals)
         except NotTranslatable as error:
             refused += error.diagnostics
     if refused:
@@ -82,7 +84,7 @@ def sources(scene: Scene, units: Normalisation, grid: Grid, refusals: Refusals) 
 
 
 def _sources(
-    light: Light, index: int, scene: Scene, units: Normalisation, grid: Grid, refusals: Refusals
+    light: Light, index: int, scene: Scene, units: Normalisation, grid: Grid, skies: Skies, refusals: Refusals
 ) -> list[Source]:
     emitter = light.emitter
     match emitter:
@@ -106,8 +108,10 @@ def _sources(
             return _patch(light, index, emitter, scene, units, grid, refusals)
         case Environment():
             if emitter.radiance is None:
-                what = "an environment image is rendered by the tracer alone"
-                raise NotTranslatable([refusals.at(what, "use a constant `radiance`", "lights", index, "environment")])
+                return [
+                    _parallel(index, irradiance, Emitter((0.0, 0.0, 0.0), way, 1.0))
+                    for way, irradiance in skies[index].directions(grid)
+                ]
             # Each direction brings radiance times its solid angle.
             radiance = times(emitter.radiance, 4 * math.pi)
             return [_parallel(index, radiance, part) for part in sphere_directions(grid)]

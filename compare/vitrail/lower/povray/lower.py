@@ -31,6 +31,7 @@ from vitrail.lower.povray.photons import PhotonPass, photon_pass, photon_targets
 from vitrail.lower.povray.refusal import Refusals
 from vitrail.lower.povray.residuals import Translation, certificate_of
 from vitrail.lower.povray.scene_text import SceneText
+from vitrail.lower.povray.sky import SkyPicture, skies_of
 from vitrail.lower.povray.support import refuse_unsupported
 from vitrail.plan.budget import Quality, Settings
 from vitrail.plan.plan import Plan
@@ -51,7 +52,7 @@ class PovrayRun:
 
     The radiance of a half image is the sum over its runs of ``gain`` times the image, averaged over blocks of
     ``samples_across`` x ``samples_across`` pixels. Where there are photons, ``photon_sdl`` shoots and saves them, and
-    ``sdl`` loads them.
+    ``sdl`` loads them. Both look for the file of ``sky``, if there is one, beside them.
     """
 
     name: str
@@ -64,6 +65,7 @@ class PovrayRun:
     gain: Triplet
     max_trace_level: int
     depth_is_proven: bool
+    sky: SkyPicture | None = None
 
     @property
     def texts(self) -> dict[str, str]:
@@ -91,32 +93,34 @@ class PovrayScene:
 def lower_povray(scene: Scene, plan: Plan, settings: Settings, loaded: Loaded | None = None) -> PovrayScene:
     """The runs and the certificate. Raises NotTranslatable with the scene's lines (taken from ``loaded``)."""
     refusals, identity = Refusals(loaded), scene_hash(scene)
-    scene = with_full_paths(reduced(scene, plan), loaded.path.parent if loaded else Path())
+    folder = loaded.path.parent if loaded else Path()
+    scene = with_full_paths(reduced(scene, plan), folder)
     refuse_unsupported(scene, plan, refusals)
-    meshes = meshes_of(scene, refusals)
+    meshes, skies = meshes_of(scene, refusals), skies_of(scene, folder, refusals)
     radius = settings.gather_radius_m if plan.requires(Phenomenon.CAUSTIC) else 0.0
     units = normalise(scene, [bounds_of_mesh(mesh) for mesh in meshes.values()], refusals, radius)
     joined = with_contacts(scene, units)
     scene = joined.scene
-    mode = mode_of(scene, plan, settings)
+    mode = mode_of(scene, plan, settings, skies)
     indices = Indices(scene, mode.bands, mode.is_sliced)
     grid = Grid(EMITTERS[settings.quality], settings.seed)
     targets = photon_targets(scene, plan, meshes, units, refusals)
     lights = {
-        half: off_centre(sources(scene, units, replace(grid, is_mirrored=other), refusals), targets, other)
+        half: off_centre(sources(scene, units, replace(grid, is_mirrored=other), skies, refusals), targets, other)
         for half, other in (("a", False), ("b", True))
     }
     photons = photon_pass(scene, plan, settings, lights["a"], len(mode.bands), targets, units, refusals)
     depth, placement = trace_depth(plan, settings.quality), with_gaps(scene, units, joined.contacts)
     nesting = nesting_of(scene, units, joined.pairs)
     objects = ObjectText(scene, plan, units, photons is not None, indices, nesting, joined.under)
-    text = SceneText(scene, plan, units, lights, photons, depth, placement, objects, settings.quality)
+    text = SceneText(scene, plan, units, lights, skies, photons, depth, placement, objects, settings.quality)
     translation = Translation(
         scene=scene,
         plan=plan,
         mode=mode,
         units=units,
         lights=lights["a"],
+        skies=skies,
         photons=photons,
         depth=depth,
         shrunk=placement.shrunk,
@@ -145,18 +149,20 @@ def _runs(text: SceneText, mode: Mode, settings: Settings) -> Iterator[PovrayRun
     image = text.scene.image
     for half in HALF_SHIFTS:
         for shown in mode.exposures:
-            factor = light_factor(text.scene, text.lights[half], text.photons, shown)
+            factor = light_factor(text.scene, text.lights[half], text.skies, text.photons, shown)
             exposure = replace(shown, light_factor=factor, half=half)
             shoots = text.photons is not None and text.has_light(half, exposure)
+            sky = text.sky_picture(exposure)
             yield PovrayRun(
                 name="_".join(part for part in (half, exposure.name) if part),
                 half=half,
-                sdl=text.sdl(half, exposure, across, "load_file" if shoots else ""),
-                photon_sdl=text.sdl(half, exposure, across, "save_file") if shoots else None,
+                sdl=text.sdl(half, exposure, across, "load_file" if shoots else "", sky),
+                photon_sdl=text.sdl(half, exposure, across, "save_file", sky) if shoots else None,
                 width=image.width * across,
                 height=image.height * across,
                 samples_across=across,
                 gain=exposure.gain,
                 max_trace_level=text.depth.level,
                 depth_is_proven=text.depth.is_proven,
+                sky=sky,
             )

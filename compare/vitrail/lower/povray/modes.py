@@ -6,10 +6,11 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from vitrail.lower.povray.exposure import Exposure, Triplet
+from vitrail.lower.povray.sky import Skies, Sky
 from vitrail.optics.bands import ALL_LIGHT, Band, band_model
 from vitrail.plan.budget import Settings
 from vitrail.plan.plan import Plan
-from vitrail.scene.model import Scene
+from vitrail.scene.model import Light, Scene
 from vitrail.scene.phenomenon import Phenomenon
 
 ALL = (Exposure(),)
@@ -41,7 +42,7 @@ class Mode:
         return any(exposure.band is not None for exposure in self.exposures)
 
 
-def mode_of(scene: Scene, plan: Plan, settings: Settings) -> Mode:
+def mode_of(scene: Scene, plan: Plan, settings: Settings, skies: Skies) -> Mode:
     """The asked mode; ``auto`` takes channels wherever one photon colour or one pool s cannot serve all three.
 
     With dispersion ``auto`` and ``channels`` mean one run a band, unless there are very many.
@@ -49,7 +50,7 @@ def mode_of(scene: Scene, plan: Plan, settings: Settings) -> Mode:
     bands = band_model(scene.transport.bands).bands if plan.requires(Phenomenon.DISPERSION) else (ALL_LIGHT,)
     if settings.reference_mode == "native":
         return Mode("native", ALL, bands, "asked for")
-    exposures, reason = _by_channel(scene, plan, settings)
+    exposures, reason = _by_channel(scene, plan, settings, skies)
     is_sliced = len(bands) > 1 and (settings.reference_mode == "slices" or len(bands) <= MOST_SLICES)
     if is_sliced:
         return Mode("slices", _sliced(exposures, bands), bands, f"one run a band has no error of the index; {reason}")
@@ -59,14 +60,14 @@ def mode_of(scene: Scene, plan: Plan, settings: Settings) -> Mode:
     return Mode(name, exposures, bands, reason)
 
 
-def _by_channel(scene: Scene, plan: Plan, settings: Settings) -> tuple[tuple[Exposure, ...], str]:
+def _by_channel(scene: Scene, plan: Plan, settings: Settings, skies: Skies) -> tuple[tuple[Exposure, ...], str]:
     """The exposures that the channels need, and why."""
     if settings.reference_mode == "channels":
-        return _apart(scene), "asked for"
+        return _apart(scene, skies), "asked for"
     if coloured := _coloured_glass(scene):
-        return _apart(scene), f"material {coloured} treats the channels of light differently"
-    if plan.requires(Phenomenon.CAUSTIC) and (lamp := _coloured_light(scene)):
-        return _apart(scene), f"light {lamp} has channels that photons would round differently"
+        return _apart(scene, skies), f"material {coloured} treats the channels of light differently"
+    if plan.requires(Phenomenon.CAUSTIC) and (lamp := _coloured_light(scene, skies)):
+        return _apart(scene, skies), f"light {lamp} has channels that photons would round differently"
     return ALL, "every channel of light is treated alike"
 
 
@@ -80,9 +81,9 @@ def _sliced(exposures: tuple[Exposure, ...], bands: tuple[Band, ...]) -> tuple[E
     )
 
 
-def _apart(scene: Scene) -> tuple[Exposure, ...]:
+def _apart(scene: Scene, skies: Skies) -> tuple[Exposure, ...]:
     """One exposure for each group of channels that the whole scene treats alike."""
-    colours = list(_colours(scene.model_dump()))
+    colours = [*_colours(scene.model_dump()), *(colour for sky in skies.values() for colour in sky.colours)]
     groups: list[list[int]] = []
     for channel in range(3):
         alike = next((g for g in groups if all(colour[g[0]] == colour[channel] for colour in colours)), None)
@@ -134,14 +135,18 @@ def _coloured_glass(scene: Scene) -> str:
     return ""
 
 
-def _coloured_light(scene: Scene) -> str:
-    for index, light in enumerate(scene.lights, 1):
-        emitter = light.emitter
-        colour = next(
-            (value for key in ("irradiance", "intensity", "radiance") if (value := getattr(emitter, key, None))), None
-        )
-        if colour is not None and _is_coloured(colour):
-            return f"L{index}"
+def light_colours(light: Light, sky: Sky | None) -> list[Triplet]:
+    """What a light sends, the most coloured pixels of a sky that is an image."""
+    if sky is not None:
+        return list(sky.colours)
+    emitter = light.emitter
+    return [value for key in ("irradiance", "intensity", "radiance") if (value := getattr(emitter, key, None))]
+
+
+def _coloured_light(scene: Scene, skies: Skies) -> str:
+    for index, light in enumerate(scene.lights):
+        if any(_is_coloured(colour) for colour in light_colours(light, skies.get(index))):
+            return f"L{index + 1}"
     return ""
 
 

@@ -7,9 +7,10 @@ from collections.abc import Iterator, Sequence
 from vitrail.lower.povray.certificate import RELATIVE, Entry
 from vitrail.lower.povray.curvature import curved_receivers, lost_share
 from vitrail.lower.povray.lights import Source
-from vitrail.lower.povray.modes import Mode
+from vitrail.lower.povray.modes import Mode, light_colours
 from vitrail.lower.povray.normalise import Normalisation
 from vitrail.lower.povray.photons import PhotonPass, has_exact_flux
+from vitrail.lower.povray.sky import Skies
 from vitrail.scene.model import Scene
 from vitrail.scene.phenomenon import Phenomenon
 
@@ -20,7 +21,7 @@ GRAZING_DEG = 84.3
 
 
 def photon_entries(
-    scene: Scene, mode: Mode, units: Normalisation, lights: Sequence[Source], photons: PhotonPass | None
+    scene: Scene, mode: Mode, units: Normalisation, lights: Sequence[Source], skies: Skies, photons: PhotonPass | None
 ) -> Iterator[Entry]:
     """Storage, kernel and incidence; nothing without photons."""
     if photons is None:
@@ -29,7 +30,7 @@ def photon_entries(
     loss = 0.0 if has_exact_flux(scene, lights, photons) else ONE_STEP
     reason = "the light factor makes the main path's flux exact" if loss == 0 else "fluxes vary, up to one step is lost"
     yield Entry(caustic, "photons", "flux in double precision", "8 bits, truncated", loss, RELATIVE, reason)
-    if mode.shows_all_channels and (ratio := _channel_ratio(scene)) > 1:
+    if mode.shows_all_channels and (ratio := _channel_ratio(scene, skies)) > 1:
         reason = "channels share one exponent; the dimmest is rounded down by up to a step of the brightest"
         yield Entry(caustic, "photons", "each channel apart", "one exponent", min(1.0, ratio / 128), RELATIVE, reason)
     yield Entry(
@@ -81,12 +82,10 @@ def _moved_lamps(units: Normalisation, lights: Sequence[Source]) -> Iterator[Ent
         )
 
 
-def _channel_ratio(scene: Scene) -> float:
+def _channel_ratio(scene: Scene, skies: Skies) -> float:
     """Brightest over dimmest channel of what photons may carry: lights times the faces of glass and mirrors."""
-    colours = []
-    for light in scene.lights:
-        emitter = light.emitter
-        colours += [value for key in ("irradiance", "intensity", "radiance") if (value := getattr(emitter, key, None))]
+    lights = enumerate(scene.lights)
+    colours = [colour for index, light in lights for colour in light_colours(light, skies.get(index))]
     ratio = max((max(colour) / min(colour) if min(colour) > 0 else 128.0 for colour in colours), default=1.0)
     for material in scene.materials.values():
         if material.is_specular:

@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from vitrail.lower.povray.certificate import RELATIVE, Certificate, Entry, with_names
+from vitrail.lower.povray.certificate import HALF_FLOAT, RELATIVE, Certificate, Entry, with_names
 from vitrail.lower.povray.contact import REACH, Grown
 from vitrail.lower.povray.depth import LIMIT, TraceDepth
 from vitrail.lower.povray.gaps import GAP, Shrunk
 from vitrail.lower.povray.indices import Indices
-from vitrail.lower.povray.lights import FADE_SHARE, Source
+from vitrail.lower.povray.light_residuals import light_entries
+from vitrail.lower.povray.lights import Source
 from vitrail.lower.povray.material_residuals import longest_lived_share, material_entries, trapped_share
 from vitrail.lower.povray.modes import Mode
 from vitrail.lower.povray.nesting import HAIR, Nesting
@@ -18,16 +19,13 @@ from vitrail.lower.povray.normalise import Normalisation
 from vitrail.lower.povray.photon_residuals import photon_entries
 from vitrail.lower.povray.photons import PhotonPass
 from vitrail.lower.povray.radiosity import radiosity_entries
+from vitrail.lower.povray.sky import Skies
 from vitrail.plan.budget import Quality
 from vitrail.plan.plan import Plan
 from vitrail.scene.absorption import absorption_per_m
 from vitrail.scene.model import Scene
 from vitrail.scene.phenomenon import Phenomenon
 from vitrail.scene.vector import length
-
-HALF_FLOAT = 4.9e-4
-"""Largest relative rounding of an 11-bit mantissa: half a step at its low end [P 6]."""
-
 
 IN_AND_OUT = 2
 """Transmissions of a path through a lone ball: so far POV-Ray's counter cuts reflections where the scene does."""
@@ -42,6 +40,7 @@ class Translation:
     mode: Mode
     units: Normalisation
     lights: tuple[Source, ...]
+    skies: Skies
     photons: PhotonPass | None
     depth: TraceDepth
     shrunk: tuple[Shrunk, ...]
@@ -60,13 +59,17 @@ def certificate_of(translation: Translation) -> Certificate:
             *_gaps(translation),
             *_contacts(translation),
             *_cuts(translation),
-            *_falloff(translation),
             *_depth(translation),
-            *_grids(translation),
+            *light_entries(translation.scene, translation.plan, translation.lights, translation.skies),
             *_indirect(translation),
             *material_entries(translation.scene, translation.mode, translation.indices),
             *photon_entries(
-                translation.scene, translation.mode, translation.units, translation.lights, translation.photons
+                translation.scene,
+                translation.mode,
+                translation.units,
+                translation.lights,
+                translation.skies,
+                translation.photons,
             ),
         ),
         translation.scene,
@@ -158,20 +161,6 @@ def _cuts(translation: Translation) -> Iterator[Entry]:
                 )
 
 
-def _falloff(translation: Translation) -> Iterator[Entry]:
-    """Each small light of a grid loses the same share of its own light: one entry a light of the scene."""
-    for index in sorted({source.light for source in translation.lights if source.fade_distance is not None}):
-        yield Entry(
-            Phenomenon.DIFFUSION,
-            f"L{index + 1}",
-            "E = I / r^2",
-            "E = I / (r^2 + f^2)",
-            FADE_SHARE**2,
-            RELATIVE,
-            "POV-Ray has no unbounded inverse square; f is 1/1000 of the distance to the nearest surface",
-        )
-
-
 def _depth(translation: Translation) -> Iterator[Entry]:
     """Path weights below a limit, and limits of depth that count otherwise."""
     plan, scene, depth = translation.plan, translation.scene, translation.depth
@@ -223,22 +212,6 @@ def _too_deep(depth: TraceDepth, shown: Phenomenon) -> Entry:
         "levels",
         "what lies behind so many faces is black",
     )
-
-
-def _grids(translation: Translation) -> Iterator[Entry]:
-    """Lights with a surface or a solid angle, made of small ones."""
-    for index, light in enumerate(translation.scene.lights):
-        count = sum(source.light == index for source in translation.lights)
-        if count > 1:
-            yield Entry(
-                Phenomenon.SHADOW,
-                f"L{index + 1}",
-                f"one {light.kind} light",
-                f"{count} small ones in each half image, at random in cells of equal size",
-                1 / (2 * count),
-                RELATIVE,
-                "penumbras have steps of one small light; the light as a whole is unbiased",
-            )
 
 
 def _indirect(translation: Translation) -> Iterator[Entry]:

@@ -16,6 +16,7 @@ from vitrail.lower.povray.objects import ObjectText
 from vitrail.lower.povray.photons import PhotonPass
 from vitrail.lower.povray.radiosity import radiosity_sdl
 from vitrail.lower.povray.sdl import block, number, rgb
+from vitrail.lower.povray.sky import Skies, SkyPicture
 from vitrail.plan.budget import Quality
 from vitrail.plan.plan import Plan
 from vitrail.scene.model import Ambient, Scene
@@ -29,13 +30,14 @@ class SceneText:
     plan: Plan
     units: Normalisation
     lights: Mapping[str, tuple[Source, ...]]
+    skies: Skies
     photons: PhotonPass | None
     depth: TraceDepth
     placement: Placement
     objects: ObjectText
     quality: Quality
 
-    def sdl(self, half: str, exposure: Exposure, samples_across: int, photon_file: str) -> str:
+    def sdl(self, half: str, exposure: Exposure, samples_across: int, photon_file: str, sky: SkyPicture | None) -> str:
         """The text; ``photon_file`` says what happens to the photon map, and without it there are no photons."""
         scene, placed = self.scene, self.placement.placed
         is_shooting = photon_file == "save_file"
@@ -43,7 +45,7 @@ class SceneText:
             "#version 3.7;",
             self._globals(half, exposure, photon_file),
             "#default { finish { ambient 0 emission 0 diffuse 0 } }",
-            f"background {{ {rgb(exposure.light(self._sky()))} }}",
+            f"background {{ {rgb(exposure.light(self._sky()))} }}" if sky is None else sky.sdl,
             camera_sdl(scene.camera, scene.image, samples_across, HALF_SHIFTS[half], self.units),
         ]
         lines += [light_sdl(source, exposure) for source in self.lights[half] if _shines(source, exposure)]
@@ -51,6 +53,11 @@ class SceneText:
             if index not in self.objects.nesting.omitted:
                 lines.append(self.objects.sdl(index, shape, exposure, is_shooting))
         return "\n".join(lines) + "\n"
+
+    def sky_picture(self, exposure: Exposure) -> SkyPicture | None:
+        """What a ray of a run sees that meets nothing, where that is an image."""
+        found = [sky.picture(exposure, self._sky()) for sky in self.skies.values()]
+        return found[0] if found else None
 
     def has_light(self, half: str, exposure: Exposure) -> bool:
         """Whether any light shines in the channel of a run."""

@@ -139,7 +139,8 @@ def _different_modes(scene: Scene, plan: Plan) -> list[str]:
     """The reference modes that do other work on this scene than the usual one, each work once."""
     found: dict[tuple[int, bool], str] = {}
     for name in ("auto", *MODES):
-        mode = mode_of(scene, plan, settings_for(scene, plan, "normal", reference_mode=name))
+        # An image of the sky counts as grey here: what it is costs a file, and at most one knob more.
+        mode = mode_of(scene, plan, settings_for(scene, plan, "normal", reference_mode=name), {})
         found.setdefault((len(mode.exposures), mode.is_sliced), name)
     return [name for name in found.values() if name != "auto"]
 
