@@ -26,6 +26,10 @@ constexpr double kRaysPerCell = 2;
 constexpr double kCellsPerPiece = 16;
 constexpr int kMostHalvings = 10;
 
+// Thin glass sends light on along hundreds of ways, each with tears of its own: so many rays a cell are enough for
+// them, and what is torn from there on is not looked at closer.
+constexpr std::uint64_t kMostRaysPerCell = 8;
+
 // Light that lands so many radii of the scene away, near the horizon of an infinite floor, is too thin to be seen.
 constexpr double kFarInRadii = 100;
 
@@ -53,7 +57,8 @@ class BeamTracer : private LandingSink {
       : lattice_(lattice),
         block_(block),
         tree_(lattice.pass_, lattice.chart_.target, Stream{0}, *this, ledger_of_ray_),
-        pieces_(1u << lattice.halvings_) {}
+        pieces_(1u << lattice.halvings_),
+        most_rays_(kMostRaysPerCell * kRowsPerBlock * lattice.cells_) {}
 
   void cell(std::uint32_t i, std::uint32_t j) {
     const std::uint32_t a = i * pieces_, b = j * pieces_, c = a + pieces_, d = b + pieces_;
@@ -153,7 +158,7 @@ class BeamTracer : private LandingSink {
         }
       }
     }
-    if (!matters || halvings == 0) {
+    if (!matters || halvings == 0 || block_.rays >= most_rays_) {
       book(t, torn);
       return;
     }
@@ -200,6 +205,7 @@ class BeamTracer : private LandingSink {
   Ledger ledger_of_ray_;
   PhotonTree tree_;
   std::uint32_t pieces_;
+  std::uint64_t most_rays_;
   std::vector<LatticeRay> rays_;
   std::vector<End> ends_;
   std::unordered_map<std::uint64_t, std::uint32_t> index_;  // of rays, by their place
