@@ -1,9 +1,9 @@
 """The declared matrix: which settings of which engine are tried on a scene, and why.
 
 Only knobs that the plan gives a meaning are turned. The *main* knobs, which buy accuracy, are tried in every
-combination: photons and gather radius where there is a caustic, else samples a pixel; with light bins and beams, which
-have no radius, photons and size of the image. Every other knob is turned by itself from the middle of those: samples,
-depth, bands, and POV-Ray's reference modes.
+combination: photons and gather radius where there is a caustic, else samples a pixel; with light bins, which have no
+radius, photons and size of the image, and with beams, which have no blur, photons. Every other knob is turned by itself
+from the middle of those: samples, depth, bands, and POV-Ray's reference modes.
 """
 
 from __future__ import annotations
@@ -105,8 +105,10 @@ def _main(plan: Plan, radius_m: float, extent: Extent, engine: EngineName) -> li
     # The smallest disc is narrower than a pixel: give it pixels to match.
     found += [({**usual, "photons": n, "gather_radius_m": radius_m * min(radii)}, _larger(2)) for n in photons]
     if engine == "tracer":
-        in_pixels = product(("light_bins", "beams"), photons, SCALES[extent])
-        found += [({"samples": 1, "photons": n, "solver": each}, _larger(scale)) for each, n, scale in in_pixels]
+        bins = product(photons, SCALES[extent])
+        found += [({"samples": 1, "photons": n, "solver": "light_bins"}, _larger(scale)) for n, scale in bins]
+        # Beams end below every other error long before the most photons, and their rays are dear.
+        found += [({"samples": 1, "photons": n, "solver": "beams"}, {}) for n in photons[:-1]]
     return found
 
 
