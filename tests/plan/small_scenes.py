@@ -21,6 +21,7 @@ MATERIALS = """
   barely_flint: {transmission: 1, ior: 1.6, dispersion: 1e-14}
   bk7: {transmission: 1, glass: N-BK7}
   frosted: {transmission: 1, ior: 1.5, roughness: 0.3}
+  milky: {diffuse: 0.5, transmission: 0.5, ior: 1.5}
   barely_frosted: {transmission: 1, ior: 1.5, roughness: 1e-7}
   ggx: {transmission: 1, ior: 1.5, roughness: {ggx: 0.1}}
   smoky: {transmission: 1, ior: 1.5, absorption_per_m: [0.1, 0.2, 0.3]}

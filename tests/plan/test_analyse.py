@@ -173,6 +173,11 @@ def test_the_same_ball_seen_from_outside_does_not() -> None:
     assert {P.INDIRECT_LIGHT, P.SHADOW}.isdisjoint(required(scene))
 
 
+def test_the_same_ball_of_milky_glass_lights_itself_inside_where_all_can_see_it() -> None:
+    scene = make(ROOM % "milky", lights=(BULB,), transport="{indirect: photons}")
+    assert P.INDIRECT_LIGHT in required(scene)
+
+
 def test_a_mirrored_room_has_caustics_and_no_end() -> None:
     scene = make(ROOM % "white", camera=INSIDE, lights=(BULB,))
     shiny = scene.materials["white"].model_copy(update={"reflection": (0.1, 0.1, 0.1)})

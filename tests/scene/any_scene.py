@@ -152,6 +152,7 @@ papers = st.builds(
     dispersion_reference=st.sampled_from(["red", "d_line", "middle"]),
     disperse_camera=st.booleans(),
     rough_samples=st.integers(1, 256),
+    rough_photons=st.sampled_from(["reciprocal", "literal"]),
 )
 patches = st.builds(lambda center, uv: model.Patch(center=center, u=uv[0], v=uv[1]), vectors, edges())
 

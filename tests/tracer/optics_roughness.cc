@@ -104,6 +104,54 @@ TEST(Equation8, HasItsClosedDistributionByChiSquare) {
   }
 }
 
+/// Where light on the way arrives by Lambert's law, and in how much of it a bin of cos^2 should hold: equal shares.
+std::vector<double> cosines_squared_after(double lambda, bool as_light, int bins) {
+  TestNumbers numbers;
+  std::vector<double> counts(static_cast<std::size_t>(bins));
+  for (int i = 0; i < kMillion; ++i) {
+    const double cosine = std::sqrt(numbers.unit());
+    const Vec3 way{std::sqrt(1 - cosine * cosine), 0, cosine}, normal{0, 0, 1};
+    const std::array<double, 3> u{numbers.unit(), numbers.unit(), numbers.unit()};
+    const Vec3 bent =
+        as_light ? deflect_light(way, lambda, normal, u, numbers.unit()) : deflect(way, lambda, normal, u);
+    ++counts[static_cast<std::size_t>(std::min(bins - 1.0, bins * bent.z * bent.z))];
+  }
+  return counts;
+}
+
+/// Lambert's law is what light in a furnace has. Light deflected as looks are would not keep it.
+TEST(Equation8, LeavesLambertsLawAsItIs) {
+  constexpr int kBins = 50;
+  const std::vector<double> even(kBins, kMillion / double(kBins));
+  for (const double lambda : {0.1, 0.5, 1.0}) {
+    EXPECT_LT(chi_square_deviation(cosines_squared_after(lambda, true, kBins), even), kChiSquare) << lambda;
+    if (lambda < 0.5) continue;  // so little of the light grazes there that a million samples cannot tell
+    EXPECT_GT(chi_square_deviation(cosines_squared_after(lambda, false, kBins), even), 3 * kChiSquare) << lambda;
+  }
+}
+
+/// As often from one angle to another as back, weighed by their cosines: counts of Lambert's light over pairs of bins.
+TEST(Equation8, TakesLightAsOftenToAsFro) {
+  constexpr std::size_t kBins = 8;
+  TestNumbers numbers;
+  std::array<std::array<double, kBins>, kBins> moved{};
+  const auto bin = [](double cosine) { return std::min(kBins - 1, static_cast<std::size_t>(kBins * cosine * cosine)); };
+  for (int i = 0; i < kMillion; ++i) {
+    const double cosine = std::sqrt(numbers.unit());
+    const Vec3 way{std::sqrt(1 - cosine * cosine), 0, cosine};
+    const Vec3 bent =
+        deflect_light(way, 1, {0, 0, 1}, {numbers.unit(), numbers.unit(), numbers.unit()}, numbers.unit());
+    ++moved[bin(cosine)][bin(bent.z)];
+  }
+  for (std::size_t from = 0; from < kBins; ++from) {
+    for (std::size_t to = 0; to < from; ++to) {
+      const double there = moved[from][to], back = moved[to][from];
+      // A difference of two counts; 28 pairs at four standard errors alarm in 0.2 % of streams.
+      EXPECT_LE(std::abs(there - back), 4 * std::sqrt(there + back)) << from << " " << to;
+    }
+  }
+}
+
 TEST(Equation8, LeavesTheDirectionAloneAtZero) {
   const Vec3 d = normalise({1, 2, 3});
   EXPECT_EQ(deflect(d, 0, {0, 1, 0}, {0.3, 0.4, 0.5}), d);

@@ -42,7 +42,8 @@ const std::string kScene = R"({
     {"name": "sky", "kind": "environment", "radiance": [1, 1, 1]}],
   "transport": {"indirect": {"ambient": [0.1, 0.1, 0.1]}, "max_reflections": 8, "max_transmissions": 64},
   "paper": {"tir": "drop", "refraction": "corrected", "literal_sum": false, "dispersion": "span",
-            "dispersion_reference": "middle", "disperse_camera": false, "rough_samples": 2, "count_transmission": true, "shadow": "filter"},
+            "dispersion_reference": "middle", "disperse_camera": false, "rough_samples": 2, "count_transmission": true, "shadow": "filter",
+            "rough_photons": "literal"},
   "plan": {"diffusion": true, "reflection": true, "refraction": true, "total_internal_reflection": true,
            "coloured_transmission": true, "absorption": false, "caustic": true, "roughness": false,
            "dispersion": false, "shadow": true, "indirect_light": false},
@@ -89,6 +90,7 @@ TEST(ReadScene, BringsEveryPartThrough) {
   EXPECT_EQ(scene.transport.indirect, Indirect::ambient);
   EXPECT_TRUE(scene.paper.tir_drop);
   EXPECT_TRUE(scene.paper.count_transmission);
+  EXPECT_TRUE(scene.paper.rough_photons_literal);
   EXPECT_TRUE(scene.paper.shadow_filter);
   EXPECT_TRUE(scene.paper.dispersion_span);
   EXPECT_EQ(scene.paper.dispersion_reference, Paper::DispersionReference::middle);

@@ -11,6 +11,25 @@
 namespace vitrail {
 namespace {
 
+// More random numbers where three do not suffice: a hash of those three.
+Stream behind(const RoughSample& sample) {
+  Stream stream{0};
+  for (const double u : sample) stream = within(stream, std::bit_cast<std::uint64_t>(u));
+  return stream;
+}
+
+// Equation 8 deflects a look as it is printed, and light by the form that leaves Lambert's law as it is.
+void deflect_branches(const RoughSample& sample, double lambda, bool as_light, Interaction& event) {
+  const double keep = as_light ? uniform(behind(sample), 0, 0) : 0;
+  const auto turn = [&](Branch& branch, Vec3 facing) {
+    if (!branch.exists) return;
+    branch.direction = as_light ? deflect_light(branch.direction, lambda, facing, sample, keep)
+                                : deflect(branch.direction, lambda, facing, sample);
+  };
+  turn(event.reflect, event.facing_normal);
+  turn(event.transmit, -event.facing_normal);
+}
+
 /// A hit on a face of GGX facets.
 class GgxFace {
  public:
@@ -43,9 +62,8 @@ class GgxFace {
     mirrored.reflect_at(facet);
     refraction.total ? bent.reflect_at(facet) : bent.cross(refraction.direction);
 
-    // Each part has random numbers of its own behind the first facet: a hash of those that led there.
-    Stream stream{0};
-    for (const double u : sample) stream = within(stream, std::bit_cast<std::uint64_t>(u));
+    // Each part has random numbers of its own behind the first facet.
+    const Stream stream = behind(sample);
     const Stream one = within(stream, 0), other = within(stream, 1);
     const Rgb none;
     const bool drops = total && paper_.tir_drop;
@@ -108,13 +126,11 @@ bool is_rough(const Roughness& roughness) {
 }
 
 void roughen(const Scene& scene, const Hit& hit, Vec3 direction, const MediumSet& media, const RoughSample& sample,
-             Interaction& event) {
+             Travels travels, Interaction& event) {
   if (!event.reflect.exists && !event.transmit.exists) return;
-  const Vec3 facing = event.facing_normal;
   if (const auto* by_equation_8 = std::get_if<Equation8>(&event.roughness)) {
-    const double lambda = by_equation_8->value;
-    if (event.reflect.exists) event.reflect.direction = deflect(event.reflect.direction, lambda, facing, sample);
-    if (event.transmit.exists) event.transmit.direction = deflect(event.transmit.direction, lambda, -facing, sample);
+    const bool as_light = travels == Travels::light && !scene.paper.rough_photons_literal;
+    deflect_branches(sample, by_equation_8->value, as_light, event);
   } else if (const auto* ggx = std::get_if<Ggx>(&event.roughness)) {
     GgxFace(scene, hit, direction, media, ggx->alpha, event).scatter(sample, event);
   }

@@ -10,13 +10,17 @@ namespace vitrail {
 /// Numbers in (0, 1) for one scattering.
 using RoughSample = std::array<double, 3>;
 
+/// What goes along a ray: a look, backwards from the camera, or light, forwards from a lamp.
+enum class Travels { look, light };
+
 bool is_rough(const Roughness& roughness);
 
-/// Scatter the branches of `event`, which `interact` has filled in for this hit. Equation 8 deflects both directions;
-/// GGX follows the light from facet to facet, each with its own Fresnel share and total reflection, until it leaves the
-/// face: the branches keep their weights, but either may end on either side. By the letter (tir drop) only the first
-/// facet drops light. Surface, albedo and emission stay as they are. A smooth surface is left alone, to the bit.
+/// Scatter the branches of `event`, which `interact` has filled in for this hit. Equation 8 deflects both directions,
+/// those of light so that Lambert's law stays as it is (unless the paper is read by the letter); GGX follows the light
+/// from facet to facet, each with its own Fresnel share and total reflection, until it leaves the face: the branches
+/// keep their weights, but either may end on either side. By the letter (tir drop) only the first facet drops light.
+/// Surface, albedo and emission stay as they are. A smooth surface is left alone, to the bit.
 void roughen(const Scene& scene, const Hit& hit, Vec3 direction, const MediumSet& media, const RoughSample& sample,
-             Interaction& event);
+             Travels travels, Interaction& event);
 
 }  // namespace vitrail

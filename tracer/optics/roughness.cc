@@ -22,6 +22,11 @@ Vec3 deflect(Vec3 direction, double lambda, Vec3 facing, const std::array<double
   return above < 0 ? bent - facing * (2 * above) : bent;
 }
 
+Vec3 deflect_light(Vec3 direction, double lambda, Vec3 facing, const std::array<double, 3>& u, double keep) {
+  const Vec3 bent = deflect(direction, lambda, facing, u);
+  return keep * dot(direction, facing) < dot(bent, facing) ? bent : direction;
+}
+
 Vec3 ggx_normal(Vec3 toward_viewer, Vec3 normal, double alpha, double u, double v) {
   const SurfaceFrame frame = surface_frame(normal);
   const auto to_world = [&](Vec3 local) { return frame.u * local.x + frame.v * local.y + normal * local.z; };

@@ -69,7 +69,7 @@ void PhotonTree::go_on(const Flight& flight, const Arrival& arrival, const Inter
   const auto bounce = static_cast<std::uint64_t>(64 * flight.depth.reflections + flight.depth.transmissions);
   const auto u = padded_4d(within(stream_, bounce), flight.index);
   Interaction one = event;
-  roughen(scene_, arrival.hit, flight.ray.direction, arrival.media, {u[0], u[1], u[2]}, one);
+  roughen(scene_, arrival.hit, flight.ray.direction, arrival.media, {u[0], u[1], u[2]}, Travels::light, one);
   meet(flight, arrival, one, flux);
 }
 

@@ -18,32 +18,35 @@ Vec3 cosine_direction(Vec3 normal, double u, double v) {
   return normalise(frame.u * point.x + frame.v * point.y + normal * height);
 }
 
-// At the first face that tells bands apart draw one of them, each as likely as the others.
-void choose_band(const Scene& scene, const Arrival& arrival, double u, Walk& walk, Interaction& event) {
+// At the first face that tells bands apart draw one of them, each as likely as the others. The number that chose is
+// spread over (0, 1) again, so that it may still choose something else.
+void choose_band(const Scene& scene, const Arrival& arrival, double& u, Walk& walk, Interaction& event) {
   const bool splits = !walk.band_chosen && event.transmit.exists &&
                       (tells_bands_apart(scene, event.medium_before) || tells_bands_apart(scene, event.medium_after));
   if (!splits) return;
   const auto count = static_cast<double>(scene.bands.size());
   walk.band = static_cast<std::uint32_t>(std::min(count - 1, u * count));
   walk.band_chosen = true;
+  u = u * count - walk.band;
   walk.weight *= scene.bands[walk.band].weight * count;
   event = interact(scene, arrival.hit, walk.ray.direction, arrival.media, walk.band);
 }
 
 }  // namespace
 
-WayOn step(const Scene& scene, const Arrival& arrival, const StepSample& sample, bool may_scatter, Walk& walk) {
+WayOn step(const Scene& scene, const Arrival& arrival, const StepSample& sample, Travels travels, Walk& walk) {
   Interaction event = arrival.event;
-  choose_band(scene, arrival, sample[3], walk, event);
+  double spare = sample[3];
+  choose_band(scene, arrival, spare, walk, event);
   if (!(largest_channel(walk.weight) > 0)) return WayOn::none;
   if (scene.plan.roughness && is_rough(event.roughness)) {
-    roughen(scene, arrival.hit, walk.ray.direction, arrival.media, {sample[1], sample[2], sample[3]}, event);
+    roughen(scene, arrival.hit, walk.ray.direction, arrival.media, {sample[1], sample[2], spare}, travels, event);
   }
 
   // Draw a way on; what none of them carries ends here.
   const double reflects = event.reflect.exists ? probability(walk.weight, event.reflect.weight) : 0;
   const double transmits = event.transmit.exists ? probability(walk.weight, event.transmit.weight) : 0;
-  const double scatters = may_scatter ? probability(walk.weight, event.diffuse) : 0;
+  const double scatters = travels == Travels::light ? probability(walk.weight, event.diffuse) : 0;
   const double scale = std::max(1.0, reflects + transmits + scatters);
   double u = sample[0] * scale;
   const auto take = [&](const Branch& branch, double p) {

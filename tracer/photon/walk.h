@@ -23,7 +23,8 @@ using StepSample = std::array<double, 4>;
 enum class WayOn { none, reflect, transmit, diffuse };
 
 /// Go on from an arrival by one way, drawn with the probability of its largest channel; the weight is divided by it. A
-/// diffuse way is only taken if `may_scatter`. `none`: absorbed, or beyond the depth limits of specular ways.
-WayOn step(const Scene& scene, const Arrival& arrival, const StepSample& sample, bool may_scatter, Walk& walk);
+/// diffuse way is only taken by light; a look stops at diffuse surfaces where its owner decides. `none`: absorbed, or
+/// beyond the depth limits of specular ways.
+WayOn step(const Scene& scene, const Arrival& arrival, const StepSample& sample, Travels travels, Walk& walk);
 
 }  // namespace vitrail

@@ -115,7 +115,7 @@ void CameraTracer::go_on(const Look& look, const Arrival& arrival, const Interac
     const auto u =
         padded_4d(stream, path_.draw.sample * static_cast<std::uint32_t>(count) + static_cast<std::uint32_t>(i));
     Interaction one = event;
-    roughen(scene_, arrival.hit, look.ray.direction, arrival.media, {u[0], u[1], u[2]}, one);
+    roughen(scene_, arrival.hit, look.ray.direction, arrival.media, {u[0], u[1], u[2]}, Travels::look, one);
     meet(scattered, arrival, one, throughput * (1.0 / several));
   }
 }

@@ -68,7 +68,7 @@ Paper read_paper(const JsonValue& value) {
   Paper paper;
   value.object(
       {"tir", "refraction", "literal_sum", "dispersion", "dispersion_reference", "disperse_camera", "rough_samples"},
-      {"count_transmission", "shadow"});
+      {"count_transmission", "shadow", "rough_photons"});
   paper.tir_drop = value.at("tir").word({"reflect", "drop"}) == 1;
   paper.refraction_literal = value.at("refraction").word({"corrected", "literal"}) == 1;
   paper.literal_sum = value.at("literal_sum").boolean();
@@ -79,6 +79,8 @@ Paper read_paper(const JsonValue& value) {
   paper.rough_samples = static_cast<int>(value.at("rough_samples").integer(1, 1000000));
   paper.count_transmission = value.has("count_transmission") && value.at("count_transmission").boolean();
   paper.shadow_filter = value.has("shadow") && value.at("shadow").word({"opaque", "filter"}) == 1;
+  paper.rough_photons_literal =
+      value.has("rough_photons") && value.at("rough_photons").word({"reciprocal", "literal"}) == 1;
   return paper;
 }
 

@@ -211,8 +211,9 @@ struct Paper {
   enum class DispersionReference { red, d_line, middle } dispersion_reference = DispersionReference::red;
   bool disperse_camera = true;
   int rough_samples = 1;
-  bool count_transmission = false;  // crossings and mirrorings count together, up to max_reflections
-  bool shadow_filter = false;       // "shadow": "filter" instead of "opaque"
+  bool count_transmission = false;     // crossings and mirrorings count together, up to max_reflections
+  bool shadow_filter = false;          // "shadow": "filter" instead of "opaque"
+  bool rough_photons_literal = false;  // "rough_photons": "literal" instead of "reciprocal"
 };
 
 /// Which phenomena are rendered.

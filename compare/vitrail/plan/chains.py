@@ -76,7 +76,7 @@ def _traps_nothing(scene: Scene, item: Object) -> bool:
 
 def _mirrors_once(scene: Scene, item: Object) -> bool:
     """An opaque mirror that is convex or flat, seen from outside: a mirrored ray leaves it for good."""
-    return not scene.material_of(item).is_transmissive and never_meets_itself(scene, item)
+    return never_meets_itself(scene, item)
 
 
 def _is_invisible(material: Material) -> bool:

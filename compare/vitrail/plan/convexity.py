@@ -29,11 +29,12 @@ NEAR = 1e-9
 
 
 def never_meets_itself(scene: Scene, item: Object) -> bool:
-    """Whether no light goes from an opaque thing to itself where the camera could see it.
+    """Whether no light goes from a thing to itself where the camera could see it.
 
-    A convex body does light and shadow itself inside; that shows only where the camera is inside too.
+    Even a convex body lights and shadows itself inside; that shows through glass, or where the camera is inside too.
     """
-    return is_convex_or_flat(item) and not camera_may_be_inside(scene, item)
+    opaque = not scene.material_of(item).is_transmissive
+    return opaque and is_convex_or_flat(item) and not camera_may_be_inside(scene, item)
 
 
 def camera_may_be_inside(scene: Scene, item: Object) -> bool:

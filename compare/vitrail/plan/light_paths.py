@@ -64,7 +64,7 @@ def may_send(scene: Scene, source: Object, target: Object) -> bool:
     """
     if source is not target:
         return True
-    return scene.material_of(source).is_transmissive or not never_meets_itself(scene, source)
+    return not never_meets_itself(scene, source)
 
 
 def _lit_by_chains(scene: Scene, light_name: str) -> tuple[Object, ...]:

@@ -45,7 +45,7 @@ def may_shadow(scene: Scene, light: Light, receiver: Object, occluder: Object) -
     is so for what is seen from outside.
     """
     if occluder is receiver:
-        return scene.material_of(occluder).is_transmissive or not never_meets_itself(scene, occluder)
+        return not never_meets_itself(scene, occluder)
     emitter = light.emitter
     match emitter:
         case Environment():

@@ -563,6 +563,7 @@ class Paper(Part):
     rough_samples: Annotated[int, Field(ge=1, le=256, strict=True)] = 1
     count_transmission: Annotated[bool, Field(strict=True)] = False
     shadow: Literal["opaque", "filter"] = "opaque"
+    rough_photons: Literal["reciprocal", "literal"] = "reciprocal"
 
 
 class Patch(Part):

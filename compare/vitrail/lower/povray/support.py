@@ -13,7 +13,7 @@ from vitrail.plan.plan import Plan
 from vitrail.scene.absorption import absorption_per_m
 from vitrail.scene.diagnostic import Diagnostic
 from vitrail.scene.inside import contains, is_solid
-from vitrail.scene.model import Material, Object, Point, Scene, Spot
+from vitrail.scene.model import Ggx, Material, Object, Point, Scene, Spot
 from vitrail.scene.phenomenon import Phenomenon
 from vitrail.scene.placement import place
 
@@ -36,6 +36,7 @@ def _literal_readings(scene: Scene, plan: Plan, refusals: Refusals) -> Iterator[
         ("refraction", paper.refraction != "corrected" and has_glass),
         ("tir", paper.tir != "reflect" and plan.requires(Phenomenon.TOTAL_INTERNAL_REFLECTION)),
         ("literal_sum", paper.literal_sum and plan.requires(Phenomenon.ROUGHNESS)),
+        ("rough_photons", paper.rough_photons != "reciprocal" and _has_rough_photons(scene, plan)),
         ("count_transmission", paper.count_transmission and has_glass),
         ("shadow", paper.shadow != "opaque" and has_glass and plan.requires(Phenomenon.SHADOW)),
     )
@@ -43,6 +44,14 @@ def _literal_readings(scene: Scene, plan: Plan, refusals: Refusals) -> Iterator[
         if is_refused:
             what = f"POV-Ray cannot follow the literal reading `{key}` of the paper"
             yield refusals.at(what, "render it with the tracer alone, or drop the switch", "paper", key)
+
+
+def _has_rough_photons(scene: Scene, plan: Plan) -> bool:
+    """Whether photons meet a face that is rough by equation 8."""
+    by_equation_8 = any(
+        material.roughness and not isinstance(material.roughness, Ggx) for material in scene.materials.values()
+    )
+    return by_equation_8 and (plan.requires(Phenomenon.CAUSTIC) or scene.transport.indirect == "photons")
 
 
 def _lamps_in_absorbing_glass(scene: Scene, refusals: Refusals) -> Iterator[Diagnostic]:
