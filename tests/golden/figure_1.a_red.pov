@@ -22,7 +22,7 @@ camera {
   right <0.7646543620234878, 0, 0>
   up <0, 0.5623539682372509, -0.11247079364745019>
 }
-light_source { <-0.5, 2.9, -1.2> rgb 191011319.52187502 fade_distance 0.0005 fade_power 2 }
+light_source { <-0.5, 2.9, -1.2> rgb 235955160.00401893 fade_distance 0.0005 fade_power 2 }
 plane { <0, 1, 0>, 0 texture { pigment { rgb 0.75 } finish { diffuse 1 } } }
 polygon {
   5, <-2.2, 0, -3.4>, <2.2, 0, -3.4>, <2.2, 3.4, -3.4>, <-2.2, 3.4, -3.4>, <-2.2, 0, -3.4>

@@ -34,7 +34,7 @@ def observed(*numbers: Measured, truths: tuple[Truth | None, ...] | None = None)
 
 
 def judged(found: Observed, residual: float = 0.0) -> ObservationResult:
-    return judge_observation(found, RULES, lambda phenomenon: residual, 0.99)
+    return judge_observation(found, RULES, lambda phenomenon, whole_over_light: residual, 0.99)
 
 
 def test_the_certificate_widens_what_povray_takes_part_in_and_nothing_else() -> None:
@@ -48,6 +48,20 @@ def test_the_certificate_widens_what_povray_takes_part_in_and_nothing_else() -> 
     ]
     assert [part.source for part in result.comparisons[0].tolerance_parts] == ["threshold", "certificate"]
     assert "states 0.02 for caustic" in result.comparisons[0].tolerance_parts[1].reason
+
+
+def test_resolution_allows_what_smoothing_does_to_a_number_and_no_more() -> None:
+    smoothed = replace(measured(Pair.TRACER_TRUTH, 1.02), smoothing=0.015)
+    result = judged(observed(smoothed, replace(smoothed, smoothing=0.0)))
+    assert [entry.verdict for entry in result.comparisons] == [Verdict.AGREES, Verdict.DEVIATES]
+    assert [part.source for part in result.comparisons[0].tolerance_parts] == ["threshold", "resolution"]
+
+
+def test_a_certificate_is_asked_how_much_larger_the_whole_is_than_its_light() -> None:
+    asked: list[float] = []
+    number = replace(measured(Pair.TRACER_POVRAY, 1.0), settings={"whole_over_light": 3.0})
+    judge_observation(observed(number), RULES, lambda _, whole: asked.append(whole) or 0.0, 0.99)
+    assert asked == [3.0]
 
 
 def test_a_formula_that_states_its_tolerance_is_held_to_it() -> None:

@@ -9,6 +9,7 @@ from vitrail.metrics.diffusion import evenness
 from vitrail.metrics.energy import furnace_deviation
 from vitrail.metrics.indirect import indirect_light
 from vitrail.metrics.measurement import Context, MetricError
+from vitrail.metrics.profile import light_of
 from vitrail.metrics.radiance import mean_radiance
 from vitrail.metrics.transmission import chromaticity_shift, colour_difference, transmittance
 
@@ -150,3 +151,12 @@ def test_furnace_deviation_has_an_ideal():
     np.testing.assert_allclose([m.value for m in found], [0.02, 0.0, -0.1], atol=1e-12)
     assert all(m.ideal == 0 for m in found)
     assert furnace_deviation(flat(1, 1, 1), None, CONTEXT) == []
+
+
+def test_light_that_is_a_difference_knows_how_much_larger_the_whole_was():
+    whole, share = patch_of(lambda u, v: 0 * u + 0 * v + 3.0), {"indirect_light": lambda u, v: 0 * u + 0 * v + 1.0}
+    layered = patch_of(lambda u, v: 0 * u + 0 * v + 3.0, layers=share)
+    ours, theirs = light_of(("indirect_light",), layered, whole, Context())
+    assert theirs is not None and theirs.whole_over_light == pytest.approx(3)
+    alone, _ = light_of(("indirect_light",), layered, None, Context())
+    assert alone.whole_over_light == 1

@@ -81,9 +81,12 @@ class Interval(Record):
 
 
 class TolerancePart(Record):
-    """One share of a tolerance: the metric's threshold, or what the translation's certificate allows."""
+    """One share of a tolerance: the metric's threshold or its formula's, and what is allowed beside it.
 
-    source: Literal["threshold", "reference", "certificate"]
+    That is what the translation's certificate states, and against a closed form what the image's resolution smooths.
+    """
+
+    source: Literal["threshold", "reference", "certificate", "resolution"]
     amount: float = Field(ge=0)
     reason: str
 

@@ -12,8 +12,8 @@ from vitrail.judge.thresholds import Rule, Thresholds
 from vitrail.judge.verdict import Measured, decide, overall
 from vitrail.scene.phenomenon import Phenomenon
 
-Residual = Callable[[Phenomenon], float]
-"""The certificate's relative bound for a phenomenon."""
+Residual = Callable[[Phenomenon, float], float]
+"""The certificate's relative bound for a phenomenon; the number says how much larger the whole is than the light."""
 
 
 def judge_observation(
@@ -26,7 +26,7 @@ def judge_observation(
     phenomenon = observed.observation.phenomenon
     comparisons = attribute(
         [
-            _judge(entry, truth, observed, thresholds.rule(phenomenon, entry.metric), residual(phenomenon), level)
+            _judge(entry, truth, observed, thresholds.rule(phenomenon, entry.metric), residual, level)
             for entry, truth in zip(observed.measured, observed.truths, strict=True)
         ]
     )
@@ -46,15 +46,19 @@ def judge_observation(
 
 
 def _judge(
-    measured: Measured, truth: Truth | None, observed: Observed, rule: Rule, residual: float, level: float
+    measured: Measured, truth: Truth | None, observed: Observed, rule: Rule, residual: Residual, level: float
 ) -> Comparison:
     """One number: its own threshold or its formula's tolerance, widened by the certificate where POV-Ray takes part."""
-    stated = truth.tolerance(measured.pair.candidate) if truth is not None else None
-    parts: Sequence[TolerancePart] = [stated or rule.part(measured.ideal, observed.half_edge_m)]
+    own = truth.tolerance(measured.pair.candidate) if truth is not None else None
+    parts: Sequence[TolerancePart] = [own or rule.part(measured.ideal, observed.half_edge_m)]
     is_translated = "povray" in (measured.pair.candidate, measured.pair.reference)
-    widening = rule.widening(residual, measured.ideal, observed.half_edge_m) if is_translated else 0.0
+    stated = residual(observed.observation.phenomenon, float(measured.settings.get("whole_over_light", 1.0)))
+    widening = rule.widening(stated, measured.ideal, observed.half_edge_m) if is_translated else 0.0
     if widening > 0:
         phenomenon = observed.observation.phenomenon.value
-        reason = f"the certificate states {residual:.2g} for {phenomenon}"
+        reason = f"the certificate states {stated:.2g} for {phenomenon}"
         parts = [*parts, TolerancePart(source="certificate", amount=widening, reason=reason)]
+    if measured.smoothing > 0:
+        reason = "smoothed once more by its gather disc, pixels and cells, it changes so much"
+        parts = [*parts, TolerancePart(source="resolution", amount=measured.smoothing, reason=reason)]
     return decide(measured, parts, level)

@@ -20,9 +20,11 @@ from vitrail.judge.plain import plain
 from vitrail.judge.profiles import profiles_of
 from vitrail.judge.references import SceneTruth, Truth
 from vitrail.judge.verdict import Measured, Noise
-from vitrail.metrics.by_phenomenon import measure_with_intervals
+from vitrail.metrics.by_phenomenon import measure, measure_with_intervals
 from vitrail.metrics.measurement import Context, Measurement, MetricError
+from vitrail.metrics.smoothing import smoothed_again
 from vitrail.scene.model import Observation, Scene
+from vitrail.scene.phenomenon import Phenomenon
 
 UNSEEN = 0.5
 """Below this share of a patch in the frame, its numbers are about something else than the scene says."""
@@ -179,16 +181,33 @@ def _against(
     steady, lost = _steady(pair, [entry for entry in measured if entry.metric in wanted], (samples,))
     found = {entry.metric: entry for entry in steady}
     known = {entry.metric for entry in measured}
+    smoothing = _smoothing(observation, samples, found, context)
     kept = [truth for truth in truths if truth.metric in found]
     absent = [truth.metric for truth in truths if truth.metric not in known]
     return (
-        [_measured(pair, found[truth.metric], truth.value, truth.origin) for truth in kept],
+        [
+            _measured(pair, found[truth.metric], truth.value, truth.origin, smoothing.get(truth.metric, 0.0))
+            for truth in kept
+        ],
         kept,
         [*lost, *(f"{pair.value}: the metrics of {observation.phenomenon} give no {metric}" for metric in absent)],
     )
 
 
-def _measured(pair: Pair, entry: Measurement, ideal: float, source: str) -> Measured:
+def _smoothing(
+    observation: Observation, samples: PatchSamples, found: Mapping[str, Measurement], context: Context
+) -> dict[str, float]:
+    """How far disc, pixel and cell move each number of a caustic from its closed form, by metric."""
+    if observation.phenomenon is not Phenomenon.CAUSTIC:
+        return {}
+    try:
+        again = measure(observation, smoothed_again(samples, context.correlation_m), None, context)
+    except MetricError:
+        return {}
+    return {each.metric: abs(each.value - found[each.metric].value) for each in again if each.metric in found}
+
+
+def _measured(pair: Pair, entry: Measurement, ideal: float, source: str, smoothing: float = 0.0) -> Measured:
     """A measurement as the judge takes it; unknown noise (no half images) is taken as none, with a caveat."""
     interval = entry.interval
     if interval is None or interval.standard_error == 0:
@@ -207,6 +226,7 @@ def _measured(pair: Pair, entry: Measurement, ideal: float, source: str) -> Meas
         settings=plain(entry.settings),
         parts=plain(entry.parts),
         caveats=caveats,
+        smoothing=smoothing,
     )
 
 

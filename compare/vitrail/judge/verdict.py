@@ -31,7 +31,11 @@ class Noise:
 
 @dataclass(frozen=True)
 class Measured:
-    """A value that still waits for its verdict, because the level of its interval depends on the whole suite."""
+    """A value that still waits for its verdict, because the level of its interval depends on the whole suite.
+
+    ``smoothing`` is what the resolution of the image does to the value, in its unit: its gather disc, pixels and
+    cells; 0 where both sides have the same.
+    """
 
     pair: Pair
     metric: str
@@ -43,6 +47,7 @@ class Measured:
     settings: dict[str, Any] = field(default_factory=dict)
     parts: dict[str, Any] = field(default_factory=dict)
     caveats: tuple[str, ...] = ()
+    smoothing: float = 0.0
 
 
 def interval_of(measured: Measured, level: float) -> Interval:

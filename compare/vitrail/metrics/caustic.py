@@ -25,7 +25,7 @@ def caustic_flux(candidate: PatchSamples, reference: PatchSamples | None, contex
     MetricError.
     """
     light, other = light_of(("caustic",), candidate, reference, context)
-    settings = {"light": light.source, "centre_m": context.centre_m, "outer_radius_m": context.outer_radius_m}
+    settings = {**light.settings, "centre_m": context.centre_m, "outer_radius_m": context.outer_radius_m}
     ours = _flux(light, candidate, context)
     if reference is None or other is None:
         return per_channel("caustic_flux", ours, FLUX, None, settings=settings, caveats=light.caveats)
@@ -42,7 +42,7 @@ def caustic_centroid(candidate: PatchSamples, reference: PatchSamples | None, co
     """
     light, other = light_of(("caustic",), candidate, reference, context)
     ours = centroid(light, candidate, context)
-    settings = {"light": light.source}
+    settings = light.settings
     if reference is None or other is None:
         return [
             Measurement(f"centroid.{axis}", x, "m", None, settings, caveats=light.caveats)
@@ -65,7 +65,7 @@ def caustic_radii(candidate: PatchSamples, reference: PatchSamples | None, conte
     light, other = light_of(("caustic",), candidate, reference, context)
     centre = _centre(light if other is None else other, candidate if reference is None else reference, context)
     outer = min(room_about(candidate, centre), context.outer_radius_m or np.inf)
-    settings = {"light": light.source, "centre_m": centre, "outer_radius_m": outer}
+    settings = {**light.settings, "centre_m": centre, "outer_radius_m": outer}
     ours = encircled(light.values.mean(axis=-1), candidate, centre, outer)
     found = []
     for name, share in (("r50", 0.5), ("r90", 0.9)):
@@ -89,7 +89,7 @@ def caustic_rings(candidate: PatchSamples, reference: PatchSamples | None, conte
     light, other = light_of(("caustic",), candidate, reference, context)
     centre = _centre(light if other is None else other, candidate if reference is None else reference, context)
     edges = tuple(context.annulus_edges_m)
-    settings = {"light": light.source, "centre_m": centre, "edges_m": edges}
+    settings = {**light.settings, "centre_m": centre, "edges_m": edges}
     ours = _ring_means(light, candidate, centre, edges)
     if reference is None or other is None:
         unit = "W sr^-1 m^-2"
@@ -118,7 +118,7 @@ def caustic_area(candidate: PatchSamples, reference: PatchSamples | None, contex
         threshold = 2 * float(_counted(other, candidate, context).mean())
     if not threshold > 0:
         raise MetricError("the threshold is not above 0; give threshold_radiance, or look why there is no caustic")
-    settings = {"light": light.source, "threshold": threshold, "ramp": 0.1}
+    settings = {**light.settings, "threshold": threshold, "ramp": 0.1}
     ours = _area(light, candidate, context, threshold)
     if reference is None or other is None:
         return [Measurement("area", ours, "m^2", None, settings, caveats=light.caveats)]
@@ -149,7 +149,7 @@ def profile_correlation(candidate: PatchSamples, reference: PatchSamples | None,
         if _is_flat(ours, candidate, axis) and _is_flat(theirs, reference, axis):
             continue
         value = float(np.mean((ours - ours.mean()) * (theirs - theirs.mean())) / spread)
-        settings = {"light": light.source}
+        settings = light.settings
         found.append(Measurement(f"profile_correlation.{axis}", value, "1", 1.0, settings, caveats=light.caveats))
     return found
 

@@ -136,7 +136,7 @@ def _spectra(
     candidate: PatchSamples, reference: PatchSamples | None, context: Context
 ) -> tuple[Spectrum, Spectrum | None, dict]:
     light, other = light_of(SEEN_IN, candidate, reference, context)
-    rest = {"settings": {"light": light.source, "along": context.along}, "caveats": light.caveats}
+    rest = {"settings": {**light.settings, "along": context.along}, "caveats": light.caveats}
     ours = _spectrum(light.values, candidate, context)
     return ours, None if reference is None or other is None else _spectrum(other.values, reference, context), rest
 

@@ -17,7 +17,7 @@ def indirect_light(candidate: PatchSamples, reference: PatchSamples | None, cont
     when neither image has any.
     """
     light, other = light_of(("indirect_light",), candidate, reference, context)
-    settings = {"light": light.source}
+    settings = light.settings
     if reference is None or other is None:
         return per_channel(
             "indirect_radiance", _mean(light, candidate), RADIANCE, None, settings=settings, caveats=light.caveats

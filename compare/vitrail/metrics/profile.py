@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -12,11 +13,21 @@ from vitrail.metrics.measurement import Axis, Context, MetricError
 
 @dataclass(frozen=True)
 class Light:
-    """Radiance that belongs to one phenomenon (nv, nu, 3), and where it was taken from."""
+    """Radiance that belongs to one phenomenon (nv, nu, 3), and where it was taken from.
+
+    ``whole_over_light``: how many times larger the radiance is from which it was taken as a difference, in the channel
+    where most; what rounds the radiance rounds the light as many times more. 1 where nothing was taken off.
+    """
 
     values: np.ndarray
     source: str
     caveats: tuple[str, ...] = ()
+    whole_over_light: float = 1.0
+
+    @property
+    def settings(self) -> dict[str, Any]:
+        """What a measurement says about the light that it was taken of."""
+        return {"light": self.source, "whole_over_light": self.whole_over_light}
 
 
 def light_of(
@@ -35,18 +46,26 @@ def light_of(
         found = [Light(image.layers[layer], f"layer {layer}") for image in images]
     elif context.background is not None:
         background = np.broadcast_to(np.asarray(context.background, float), candidate.values.shape)
-        found = [Light(image.values - background, "radiance less the known background") for image in images]
+        source = "radiance less the known background"
+        found = [_difference(image, background, source) for image in images]
     elif any(layer in image.layers for image in images):
         owner = next(image for image in images if layer in image.layers)
         background = owner.values - owner.layers[layer]
         caveat = "one image has no layers; the other's light without this phenomenon was taken off both"
-        found = [
-            Light(image.values - background, "radiance less the other image's rest", (caveat,)) for image in images
-        ]
+        source = "radiance less the other image's rest"
+        found = [_difference(image, background, source, (caveat,)) for image in images]
     else:
         caveat = f"no {layer} layer and no background known: all radiance on the patch counts"
         found = [Light(image.values, "radiance", (caveat,)) for image in images]
     return found[0], found[1] if reference is not None else None
+
+
+def _difference(image: PatchSamples, background: np.ndarray, source: str, caveats: tuple[str, ...] = ()) -> Light:
+    """The radiance less a background, and how much more it was before."""
+    left = image.values - background
+    whole, light = (np.abs(each.mean(axis=(0, 1))) for each in (image.values, left))
+    ratio = float(np.max(whole[light > 0] / light[light > 0], initial=1.0))
+    return Light(left, source, caveats, ratio)
 
 
 def profile(values: np.ndarray, samples: PatchSamples, along: Axis) -> tuple[np.ndarray, np.ndarray]:

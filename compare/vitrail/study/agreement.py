@@ -71,7 +71,7 @@ def _how_bad(comparison: Comparison) -> tuple[int, float]:
 
 def _row(scene: SceneResult, observation: ObservationResult, worst: Comparison) -> dict[str, Any]:
     number, _, part = worst.metric.partition(".")
-    allowed = sum(each.amount for each in worst.tolerance_parts if each.source == "certificate")
+    allowed = sum(each.amount for each in worst.tolerance_parts if each.source in ("certificate", "resolution"))
     low, high = worst.interval.low, worst.interval.high
     return {
         "phenomenon": observation.phenomenon.value,

@@ -15,6 +15,8 @@ from vitrail.scene.model import Scene
 from vitrail.scene.phenomenon import Phenomenon
 
 RELATIVE = "relative"
+IMAGE = "image"
+"""The item of an entry about the image as it is written: it acts on all light that the image holds."""
 HALF_FLOAT = 4.9e-4
 """Largest relative rounding of an 11-bit mantissa: half a step at its low end [P 6]."""
 IDENTIFIER = re.compile(r"\b([OML])(\d+)\b")
@@ -40,9 +42,17 @@ class Certificate:
 
     entries: tuple[Entry, ...]
 
-    def bound(self, phenomenon: Phenomenon) -> float:
-        """The sum of the relative residuals that act on a phenomenon; other units are not added."""
-        acting = [each for each in self.entries if each.phenomenon is phenomenon and each.unit == RELATIVE]
+    def bound(self, phenomenon: Phenomenon, whole_over_light: float = 1.0) -> float:
+        """The sum of the relative residuals that act on a phenomenon; other units are not added.
+
+        ``whole_over_light``: how many times larger the radiance in the image is than the light of the phenomenon, where
+        that is a difference; what rounds the image counts as many times.
+        """
+        acting = [
+            replace(each, residual=each.residual * whole_over_light) if each.item == IMAGE else each
+            for each in self.entries
+            if each.phenomenon is phenomenon and each.unit == RELATIVE
+        ]
         if phenomenon is not Phenomenon.ROUGHNESS:
             return sum(each.residual for each in acting)
         worst: dict[str, float] = {}

@@ -149,8 +149,9 @@ def _runs(text: SceneText, mode: Mode, settings: Settings) -> Iterator[PovrayRun
     image = text.scene.image
     for half in HALF_SHIFTS:
         for shown in mode.exposures:
-            factor = light_factor(text.scene, text.lights[half], text.skies, text.photons, shown)
-            exposure = replace(shown, light_factor=factor, half=half)
+            plain = replace(shown, half=half)
+            factor = light_factor(text.scene, text.lights[half], text.skies, text.photons, plain)
+            exposure = replace(plain, light_factor=factor)
             shoots = text.photons is not None and text.has_light(half, exposure)
             sky = text.sky_picture(exposure)
             yield PovrayRun(

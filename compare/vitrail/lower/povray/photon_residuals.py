@@ -9,13 +9,14 @@ from vitrail.lower.povray.curvature import curved_receivers, lost_share
 from vitrail.lower.povray.lights import Source
 from vitrail.lower.povray.modes import Mode, light_colours
 from vitrail.lower.povray.normalise import Normalisation
+from vitrail.lower.povray.panes import is_one_pane_deep
 from vitrail.lower.povray.photons import PhotonPass, has_exact_flux
 from vitrail.lower.povray.sky import Skies
+from vitrail.lower.povray.stored_flux import ONE_STEP, largest_loss
+from vitrail.lower.povray.surface import is_grey
 from vitrail.scene.model import Scene
 from vitrail.scene.phenomenon import Phenomenon
 
-ONE_STEP = 1 / 128
-"""Largest loss of a truncated 8-bit mantissa, at its low end; the mean over many fluxes is 0.27 %."""
 GRAZING_DEG = 84.3
 """Beyond this angle POV-Ray weighs photons by ten instead of 1 / cos [P 2.3]."""
 
@@ -27,9 +28,7 @@ def photon_entries(
     if photons is None:
         return
     caustic = Phenomenon.CAUSTIC
-    loss = 0.0 if has_exact_flux(scene, lights, photons) else ONE_STEP
-    reason = "the light factor makes the main path's flux exact" if loss == 0 else "fluxes vary, up to one step is lost"
-    yield Entry(caustic, "photons", "flux in double precision", "8 bits, truncated", loss, RELATIVE, reason)
+    yield from _stored(scene, mode, lights, photons)
     if mode.shows_all_channels and (ratio := _channel_ratio(scene, skies)) > 1:
         reason = "channels share one exponent; the dimmest is rounded down by up to a step of the brightest"
         yield Entry(caustic, "photons", "each channel apart", "one exponent", min(1.0, ratio / 128), RELATIVE, reason)
@@ -53,6 +52,25 @@ def photon_entries(
         "deg",
         "photons that graze a surface count too little from this angle on",
     )
+
+
+def _stored(scene: Scene, mode: Mode, lights: Sequence[Source], photons: PhotonPass) -> Iterator[Entry]:
+    """What 8 bits cut off: off all caustics, and off colour that light throws through glass."""
+    item, meant, kept = "photons", "flux in double precision", "8 bits, truncated"
+    if has_exact_flux(scene, lights, photons):
+        reason = "the light factor makes the main path's flux exact"
+        yield Entry(Phenomenon.CAUSTIC, item, meant, kept, 0.0, RELATIVE, reason)
+        return
+    reason = "fluxes vary, up to one step is lost"
+    yield Entry(Phenomenon.CAUSTIC, item, meant, kept, ONE_STEP, RELATIVE, reason)
+    glasses = [scene.material_of(item) for item in scene.objects if scene.material_of(item).is_transmissive]
+    if all(is_grey(glass.transmission) for glass in glasses):
+        return
+    loss, words = ONE_STEP, "up to one step of what glass lets through is lost"
+    if is_one_pane_deep(scene, lights):
+        loss = largest_loss(scene, lights, photons, mode.exposures)
+        words = "the light factor leaves all tints just above a step; light meets one pane of them alone"
+    yield Entry(Phenomenon.COLOURED_TRANSMISSION, item, meant, kept, loss, RELATIVE, words)
 
 
 def _curved_receivers(scene: Scene, units: Normalisation, photons: PhotonPass) -> Iterator[Entry]:

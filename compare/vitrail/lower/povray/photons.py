@@ -16,14 +16,12 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from vitrail.lower.povray.exposure import Exposure
 from vitrail.lower.povray.immersion import index_around
 from vitrail.lower.povray.lights import Source
 from vitrail.lower.povray.meshes import Meshes, bounds_with
 from vitrail.lower.povray.normalise import Normalisation
 from vitrail.lower.povray.refusal import NotTranslatable, Refusals
 from vitrail.lower.povray.sdl import block, number
-from vitrail.optics.dispersion import reference_ior
 from vitrail.plan.budget import Settings
 from vitrail.plan.plan import Plan
 from vitrail.scene.model import Material, Scene
@@ -187,23 +185,6 @@ def _stores_inside(scene: Scene) -> bool:
 def _is_lossless(material: Material) -> bool:
     """Whether a photon leaves every face with all its light, in one direction."""
     return min(material.transmission) == 1 or min(material.reflection) == 1
-
-
-def main_path_share(scene: Scene, exposure: Exposure) -> float:
-    """What the shortest way through glass leaves of a photon: t^2, or r for a mirror; 1 where materials differ.
-
-    With Fresnel it is the share at normal incidence, which is the largest.
-    """
-    shares = {_path_share(material, exposure) for material in scene.materials.values() if material.is_specular}
-    return shares.pop() if len(shares) == 1 else 1.0
-
-
-def _path_share(material: Material, exposure: Exposure) -> float:
-    r, t = max(exposure.share(material.reflection)), max(exposure.share(material.transmission))
-    if material.fresnel and material.is_transmissive:
-        index = reference_ior(material)
-        return ((r + t) * 4 * index / (index + 1) ** 2) ** 2 or 1.0
-    return (t**2 if material.is_transmissive else r) or 1.0
 
 
 def _varies(material: Material) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from vitrail.lower.povray.certificate import HALF_FLOAT, RELATIVE, Certificate, Entry, with_names
+from vitrail.lower.povray.certificate import HALF_FLOAT, IMAGE, RELATIVE, Certificate, Entry, with_names
 from vitrail.lower.povray.contact import REACH, Grown
 from vitrail.lower.povray.depth import LIMIT, TraceDepth
 from vitrail.lower.povray.gaps import GAP, Shrunk
@@ -81,7 +81,7 @@ def _output(translation: Translation) -> Iterator[Entry]:
         if translation.plan.requires(phenomenon):
             meant, shown = "radiance in double precision", "half-float image"
             reason = "POV-Ray's linear output has 11 bits a channel"
-            yield Entry(phenomenon, "image", meant, shown, HALF_FLOAT, RELATIVE, reason)
+            yield Entry(phenomenon, IMAGE, meant, shown, HALF_FLOAT, RELATIVE, reason)
 
 
 def _position(translation: Translation) -> Iterator[Entry]:

@@ -6,14 +6,14 @@ far as its budget goes. A defect that is injected is injected into the ablated s
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from vitrail.engines.base import EngineFailure, Progress
 from vitrail.images.exr import ImageError, ImageLayers, read_image
 from vitrail.judge.comparison import Cause, ObservationResult, Pair, Verdict
-from vitrail.judge.judgement import judge_observation
+from vitrail.judge.judgement import Residual, judge_observation
 from vitrail.judge.observe import NothingToMeasure, Observed, observe, patch_lights
 from vitrail.judge.patch_light import PatchLight
 from vitrail.judge.records import SceneResult
@@ -39,7 +39,7 @@ class AblatedLook:
     ablation: Ablation
     observed: Mapping[str, Observed]
     light: Mapping[str, PatchLight]
-    residual: Callable[[Phenomenon], float] = lambda phenomenon: 0.0
+    residual: Residual = lambda phenomenon, whole_over_light: 0.0
     cpu_s: float = 0.0
     reason: str = ""
 

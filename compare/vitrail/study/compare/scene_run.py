@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import shutil
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
 from vitrail.engines.base import EngineFailure, Progress, Rendering
 from vitrail.images.exr import ImageError, ImageLayers, read_image
 from vitrail.judge.gates import Inspected, check_gates
+from vitrail.judge.judgement import Residual
 from vitrail.judge.observe import NothingToMeasure, Observed
 from vitrail.judge.pictures import write_pictures
 from vitrail.judge.records import SceneResult, Status
@@ -20,7 +21,6 @@ from vitrail.plan.analyse import analyse
 from vitrail.plan.budget import Quality, Settings, settings_for
 from vitrail.plan.plan import Plan
 from vitrail.scene.load import Loaded
-from vitrail.scene.phenomenon import Phenomenon
 from vitrail.scene.print import scene_hash
 from vitrail.study.compare.ablate import Search
 from vitrail.study.compare.evidence import certificate_records, engine_record, plan_records, speed_records
@@ -46,7 +46,7 @@ class SceneRun:
 
     record: SceneResult
     observed: tuple[Observed, ...] = ()
-    residual: Callable[[Phenomenon], float] = lambda phenomenon: 0.0
+    residual: Residual = lambda phenomenon, whole_over_light: 0.0
     references: Path | None = None
     search: Search = Search()
 
