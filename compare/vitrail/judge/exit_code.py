@@ -1,7 +1,7 @@
 """What a scene's result means to the caller of the program.
 
-Incomplete work outranks any verdict, because a verdict on half of the evidence is none: a scene that could not be
-read, then an engine that failed, then one that cannot be translated, then a deviation, then doubt.
+Incomplete work outranks any verdict, because a verdict on half of the evidence is none: a defect of this program, then
+a scene that could not be read, an engine that failed, a scene that cannot be translated, a deviation, doubt.
 """
 
 from __future__ import annotations
@@ -13,9 +13,9 @@ from vitrail.judge.comparison import Verdict
 from vitrail.judge.records import Status
 
 AGREES, DEVIATES, SCENE_ERROR, NOT_TRANSLATABLE, ENGINE_FAILED, INCONCLUSIVE = range(6)
-INTERRUPTED = 130
+DEFECT, INTERRUPTED = 70, 130
 
-RANK = (INTERRUPTED, SCENE_ERROR, ENGINE_FAILED, NOT_TRANSLATABLE, DEVIATES, INCONCLUSIVE, AGREES)
+RANK = (INTERRUPTED, DEFECT, SCENE_ERROR, ENGINE_FAILED, NOT_TRANSLATABLE, DEVIATES, INCONCLUSIVE, AGREES)
 
 
 def of_verdict(verdict: Verdict | None) -> int:
@@ -44,6 +44,8 @@ def of_scene(status: Status, verdict: Verdict | None) -> int:
             return NOT_TRANSLATABLE
         case Status.ENGINE_FAILED:
             return ENGINE_FAILED
+        case Status.DEFECT:
+            return DEFECT
         case Status.INTERRUPTED:
             return INTERRUPTED
         case _:

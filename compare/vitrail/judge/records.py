@@ -29,6 +29,7 @@ class Status(StrEnum):
     SCENE_ERROR = "scene_error"
     NOT_TRANSLATABLE = "not_translatable"
     ENGINE_FAILED = "engine_failed"
+    DEFECT = "defect"
     INTERRUPTED = "interrupted"
 
 

@@ -14,9 +14,10 @@ from vitrail.judge.references import references_folder
 from vitrail.judge.stored import IMAGE
 from vitrail.report.build import build_report
 from vitrail.scene.check import CheckResult
+from vitrail.study.compare.about_run import about_run
 from vitrail.study.compare.request import Request
 from vitrail.study.compare.scene_run import SceneRun, run_scene
-from vitrail.study.compare.suite import about_run, judge
+from vitrail.study.compare.suite import judge
 
 NUMBERS_OF_ONE_OBSERVATION = 64
 """More comparisons than any observation makes. The level of an interval must be known before all scenes are measured,

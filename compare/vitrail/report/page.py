@@ -23,6 +23,7 @@ STATUS_WORDS = {
     Status.SCENE_ERROR: "scene error",
     Status.NOT_TRANSLATABLE: "not translatable",
     Status.ENGINE_FAILED: "an engine failed",
+    Status.DEFECT: "a defect of Vitrail",
     Status.INTERRUPTED: "interrupted",
 }
 

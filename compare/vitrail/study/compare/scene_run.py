@@ -96,7 +96,7 @@ def _record(loaded: Loaded, name: str, plan: Plan, settings: Settings, request: 
         plan=plan_records(plan),
         settings=asdict(settings),
         warnings=plan.warnings,
-        reproduce=_reproduce(loaded.path, settings, request),
+        reproduce=reproduce(loaded.path, settings.quality, request),
         exit_code=0,
     )
 
@@ -161,10 +161,10 @@ def inspect(side: str, image: ImageLayers, file: str) -> Inspected:
     )
 
 
-def _reproduce(path: Path, settings: Settings, request: Request) -> str:
+def reproduce(path: Path, quality: str, request: Request) -> str:
     """The line that makes this scene's numbers again."""
     options = " ".join(f"--set {key}={value}" for key, value in sorted(request.overrides.items()))
-    line = f"vitrail compare {path} --out out --quality {settings.quality} {options}".rstrip()
+    line = f"vitrail compare {path} --out out --quality {quality} {options}".rstrip()
     if request.against != ("povray",):
         line += f" --against {AGAINST[frozenset(request.against)]}"
     return line + (f" --inject-defect {request.defect.name}" if request.defect.name else "")

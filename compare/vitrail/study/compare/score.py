@@ -21,6 +21,7 @@ from vitrail.judge.whole_image import global_metrics
 from vitrail.plan.analyse import analyse
 from vitrail.scene.load import Loaded
 from vitrail.scene.print import scene_hash
+from vitrail.study.compare.about_run import about_run
 from vitrail.study.compare.conformance import (
     behind_gate,
     conformance_scenes,
@@ -30,7 +31,7 @@ from vitrail.study.compare.conformance import (
 )
 from vitrail.study.compare.evidence import plan_records
 from vitrail.study.compare.scene_run import SceneRun, ended, inspect
-from vitrail.study.compare.suite import about_run, judge
+from vitrail.study.compare.suite import judge
 
 REMEDY = "render scenes/conformance/*.yaml with it and give --conformance FOLDER, or say --unproven"
 NOTHING_KNOWN = "there is nothing to hold the image against: no closed form is known here; give a REFERENCE.exr"

@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
-import os
-import platform
-import sys
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from dataclasses import replace
-from datetime import UTC, datetime
-from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
+from vitrail.engines.base import Progress
 from vitrail.judge.exit_code import INTERRUPTED, of_run, of_scene
 from vitrail.judge.false_alarms import SUITE_FALSE_ALARM_RATE, sidak
 from vitrail.judge.judgement import judge_observation
@@ -24,7 +20,9 @@ from vitrail.judge.verdict import overall
 from vitrail.scene.load import Loaded
 from vitrail.scene.print import scene_hash
 from vitrail.study.compare.ablate import deviates_between_engines, search_whereabouts, with_whereabouts
+from vitrail.study.compare.about_run import about_run
 from vitrail.study.compare.more_samples import more, offer
+from vitrail.study.compare.own_defect import TRACEBACK, defective, is_own_defect, unsearched
 from vitrail.study.compare.request import Request
 from vitrail.study.compare.scene_run import SceneRun, run_scene
 
@@ -35,7 +33,8 @@ Watch = Callable[[str, str, float, float], None]
 def compare(scenes: Sequence[Loaded], request: Request, watch: Watch = lambda *step: None) -> Results:
     """Run every scene, judge all, write ``results.json`` after each, and return the results.
 
-    Ctrl-C keeps what has finished: the results are marked interrupted and hold those scenes.
+    Ctrl-C keeps what has finished: the results are marked interrupted and hold those scenes. A defect of this program
+    is the end of the scene that met it, and of no other.
     """
     about, clock = about_run(request.command, request.threads), time.monotonic()
     _check_references(scenes, request)
@@ -49,7 +48,12 @@ def compare(scenes: Sequence[Loaded], request: Request, watch: Watch = lambda *s
     def finish() -> Results:
         ordered = [runs[name] for name in names if name in runs]
         spent = {"wall_s": round(time.monotonic() - clock, 3), "interrupted": interrupted}
-        results = judge(ordered, about.model_copy(update=spent), looks=1 + request.rounds)
+        results = judge(
+            ordered,
+            about.model_copy(update=spent),
+            looks=1 + request.rounds,
+            spared=lambda name, error: defective(by_name[name], name, request, error),
+        )
         results = _priced(results, by_name, left_s, request)
         write_results(results, request.out / "results.json")
         return results
@@ -69,10 +73,8 @@ def compare(scenes: Sequence[Loaded], request: Request, watch: Watch = lambda *s
         for record in finish().scenes:
             if any(deviates_between_engines(entry) for entry in record.observations):
                 run = runs[record.name]
-                assert run.references is not None
                 watched, left = _watched(watch, record.name), left_s[record.name]
-                found = search_whereabouts(by_name[record.name], run.references, record, request, left, watched)
-                runs[record.name] = replace(run, search=found)
+                runs[record.name] = _searched(run, by_name[record.name], record, request, left, watched)
     except KeyboardInterrupt:
         interrupted = True
     return finish()
@@ -115,10 +117,18 @@ def _cpu_s(record: SceneResult) -> float:
     return sum(engine.cpu_s or 0.0 for engine in record.engines)
 
 
-def judge(runs: Sequence[SceneRun], about: Run, *, looks: int = 1, comparisons: int | None = None) -> Results:
+def judge(
+    runs: Sequence[SceneRun],
+    about: Run,
+    *,
+    looks: int = 1,
+    comparisons: int | None = None,
+    spared: Callable[[str, Exception], SceneResult] | None = None,
+) -> Results:
     """All verdicts of a run, at the level that its number of comparisons asks for, each looked at ``looks`` times.
 
     ``comparisons`` gives that number where not all of them are in ``runs``; it is never taken for less than there are.
+    ``spared`` makes the record of a scene in whose judgement this program fails; without it the error goes on.
     """
     own = looks * sum(len(observed.measured) for run in runs for observed in run.observed)
     comparisons = max(own, comparisons or 0)
@@ -126,10 +136,7 @@ def judge(runs: Sequence[SceneRun], about: Run, *, looks: int = 1, comparisons: 
     rules = {folder: thresholds_of(folder) for folder in folders}
     rate = min((each.suite_false_alarm_rate for each in rules.values()), default=SUITE_FALSE_ALARM_RATE)
     shared = sidak(rate, comparisons)
-    scenes = tuple(
-        _judged(run, rules[run.references], shared.level) if run.references is not None else _coded(run.record)
-        for run in runs
-    )
+    scenes = tuple(_judged_or_spared(run, rules, shared.level, spared) for run in runs)
     keys = [scene.verdict.value if scene.verdict else "unjudged" for scene in scenes]
     codes = [scene.exit_code for scene in scenes] + ([INTERRUPTED] if about.interrupted else [])
     return Results(
@@ -155,7 +162,7 @@ def _each(todo: list[tuple[str, Loaded, Request]], jobs: int, watch: Watch) -> I
     """(name, run) of every scene as it finishes, ``jobs`` at a time."""
     if jobs == 1:
         for name, loaded, request in todo:
-            yield name, run_scene(loaded, name, request, _watched(watch, name))
+            yield name, _spared(loaded, name, request, _watched(watch, name))
         return
     waiting = list(reversed(todo))
     with ThreadPoolExecutor(jobs) as pool:
@@ -164,7 +171,7 @@ def _each(todo: list[tuple[str, Loaded, Request]], jobs: int, watch: Watch) -> I
             while waiting or going:
                 while waiting and len(going) < jobs:
                     name, loaded, request = waiting.pop()
-                    going[pool.submit(run_scene, loaded, name, request, _watched(watch, name))] = name
+                    going[pool.submit(_spared, loaded, name, request, _watched(watch, name))] = name
                 for future in wait(going, return_when=FIRST_COMPLETED).done:
                     yield going.pop(future), future.result()
         finally:
@@ -174,6 +181,47 @@ def _each(todo: list[tuple[str, Loaded, Request]], jobs: int, watch: Watch) -> I
 
 def _watched(watch: Watch, name: str) -> Callable[[str, float, float], None]:
     return lambda phase, done, total: watch(name, phase, done, total)
+
+
+def _spared(loaded: Loaded, name: str, request: Request, progress: Progress) -> SceneRun:
+    """A scene's run; a defect of this program that it meets is its end, and that of no other scene."""
+    (request.out / name / TRACEBACK).unlink(missing_ok=True)
+    try:
+        return run_scene(loaded, name, request, progress)
+    except Exception as error:
+        if not is_own_defect(error):
+            raise
+        return SceneRun(defective(loaded, name, request, error))
+
+
+def _searched(
+    run: SceneRun, loaded: Loaded, record: SceneResult, request: Request, left_s: float, progress: Progress
+) -> SceneRun:
+    """The run with what was tried to find where its engines deviate; a defect met there takes no verdict away."""
+    assert run.references is not None
+    try:
+        return replace(run, search=search_whereabouts(loaded, run.references, record, request, left_s, progress))
+    except Exception as error:
+        if not is_own_defect(error):
+            raise
+        warnings = (*run.record.warnings, unsearched(record, request, error))
+        return replace(run, record=run.record.model_copy(update={"warnings": warnings}))
+
+
+def _judged_or_spared(
+    run: SceneRun,
+    rules: Mapping[Path, Thresholds],
+    level: float,
+    spared: Callable[[str, Exception], SceneResult] | None,
+) -> SceneResult:
+    if run.references is None:
+        return _coded(run.record)
+    try:
+        return _judged(run, rules[run.references], level)
+    except Exception as error:
+        if spared is None or not is_own_defect(error):
+            raise
+        return _coded(spared(run.record.name, error))
 
 
 def _judged(run: SceneRun, thresholds: Thresholds, level: float) -> SceneResult:
@@ -190,29 +238,3 @@ def _judged(run: SceneRun, thresholds: Thresholds, level: float) -> SceneResult:
 
 def _coded(record: SceneResult) -> SceneResult:
     return record.model_copy(update={"exit_code": of_scene(record.status, record.verdict)})
-
-
-def about_run(command: tuple[str, ...], threads: int = 0) -> Run:
-    """Where a run is made, with what."""
-    try:
-        own = version("vitrail")
-    except PackageNotFoundError:
-        own = "unpacked"
-    return Run(
-        command=command,
-        started=datetime.now(UTC).strftime("%Y-%m-%d %H:%M:%S UTC"),
-        vitrail_version=own,
-        python=sys.version.split()[0],
-        platform=platform.platform(terse=True),
-        processor=_processor(),
-        threads=threads or os.cpu_count(),
-    )
-
-
-def _processor() -> str:
-    """The name the machine gives its processor, or nothing."""
-    try:
-        lines = Path("/proc/cpuinfo").read_text().splitlines()
-    except OSError:
-        return platform.processor()
-    return next((line.split(":", 1)[1].strip() for line in lines if line.startswith("model name")), "")

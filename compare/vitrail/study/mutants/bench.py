@@ -10,10 +10,11 @@ from vitrail.judge.records import Results, SceneResult
 from vitrail.plan.analyse import analyse
 from vitrail.plan.budget import settings_for
 from vitrail.scene.load import Loaded, load
+from vitrail.study.compare.about_run import about_run
 from vitrail.study.compare.render import lower_both, povray_key, tracer_key
 from vitrail.study.compare.request import Defect, Request
 from vitrail.study.compare.scene_run import SceneRun, run_scene
-from vitrail.study.compare.suite import about_run, judge
+from vitrail.study.compare.suite import judge
 
 FEWER: Mapping[str, object] = {"photons": 200_000}
 """Where POV-Ray takes 10 s and more at the photons of normal quality, and a fifth of them leave 0.1 % of noise."""
