@@ -123,3 +123,13 @@ def test_an_unknown_verb_names_the_nearest() -> None:
     result = run("rendr")
     assert result.exit_code == 2
     assert "render" in result.stderr
+
+
+@pytest.mark.parametrize("verb", PRINTING_VERBS)
+def test_a_sky_that_is_none_is_a_wrong_scene(verb: str, tmp_path: Path) -> None:
+    text = (ROOT / "tests" / "scene" / "malformed" / "environment_missing.yaml").read_text(encoding="utf-8")
+    (tmp_path / "scene.yaml").write_text(text, encoding="utf-8")
+    (tmp_path / "sky.exr").write_text("a sky", encoding="utf-8")
+    result = run(*PRINTING_VERBS[verb](tmp_path / "scene.yaml"))
+    assert result.exit_code == 2
+    assert f"{tmp_path}/scene.yaml:12:37: the sky `sky.exr` is not an OpenEXR file" in result.stderr

@@ -40,7 +40,7 @@ def test_missing_and_corrupt_files_are_named(tmp_path, picture):
         read_image(tmp_path / "none.exr")
     junk = tmp_path / "junk.exr"
     junk.write_bytes(b"this is not an image" * 40)
-    with pytest.raises(ImageError, match="junk.exr: not a readable image"):
+    with pytest.raises(ImageError, match="junk.exr: is not a readable image"):
         read_image(junk)
     whole = tmp_path / "whole.exr"
     write_image(whole, np.random.default_rng(0).random((64, 64, 3)))

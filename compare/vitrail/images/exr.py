@@ -53,13 +53,13 @@ def read_image(path: str | Path) -> ImageLayers:
         raise ImageError(f"{path}: no such image; render it, or correct the path")
     source = oiio.ImageInput.open(str(path))
     if source is None:
-        raise ImageError(f"{path}: not a readable image ({oiio.geterror() or 'unknown format'}); write it again")
+        raise ImageError(f"{path}: is not a readable image ({oiio.geterror() or 'unknown format'}); write it again")
     try:
         spec = source.spec()
         _refuse_cropped(path, spec)
         pixels = source.read_image(0, 0, 0, spec.nchannels, oiio.FLOAT)
         if pixels is None:
-            raise ImageError(f"{path}: damaged or cut off ({source.geterror()}); write it again")
+            raise ImageError(f"{path}: is damaged or cut off ({source.geterror()}); write it again")
     finally:
         source.close()
     groups = _groups(path, np.asarray(pixels, np.float64), list(spec.channelnames))

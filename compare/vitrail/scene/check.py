@@ -47,7 +47,7 @@ class CheckResult:
 def check(loaded: Loaded) -> list[Diagnostic]:
     """All errors and warnings about a scene whose types are right, in the order of the file.
 
-    Reads meshes and no image.
+    Reads meshes and no image: what a sky holds is checked by ``vitrail.images.sky``.
     """
     findings = Findings(loaded)
     check_sizes(findings)

@@ -129,7 +129,9 @@ def test_no_pixel_outshines_half_floats_where_photons_set_the_light(tmp_path: Pa
 def test_pixels_that_are_no_radiance_are_refused_at_their_line(tmp_path: Path, pixel: float) -> None:
     pixels = np.ones((4, 8, 3))
     pixels[2, 3, 1] = pixel
-    with pytest.raises(NotTranslatable, match=r"scene\.yaml:\d+:\d+: .*negative or not finite"):
+    with pytest.raises(
+        NotTranslatable, match=r"scene\.yaml:\d+:\d+: .* at pixel x=3 y=2 \(channel G\); make all of it finite"
+    ):
         lowered(scene(GREY, CARD, sky(tmp_path, pixels), SPOT_OF_CARD, TINY))
 
 

@@ -17,7 +17,8 @@ from pathlib import Path
 
 import numpy as np
 
-from vitrail.images.exr import ImageError, read_image
+from vitrail.images.exr import ImageError
+from vitrail.images.sky import read_sky
 from vitrail.lower.povray.emitters import Grid, sphere_cells
 from vitrail.lower.povray.exposure import Exposure, Triplet
 from vitrail.lower.povray.refusal import NotTranslatable, Refusals
@@ -121,16 +122,13 @@ def skies_of(scene: Scene, folder: Path, refusals: Refusals) -> Skies:
             continue
         path = ("lights", index, "environment", "file")
         try:
-            radiance = read_image(folder / light.environment.file).radiance
+            radiance = read_sky(folder / light.environment.file)
         except ImageError as error:
-            what = f"the image of the sky is of no use to POV-Ray: {error}"
-            refused.append(refusals.at(what, "write it again as EXR with R, G and B", *path))
+            what, _, remedy = str(error).rpartition("; ")
+            refused.append(refusals.at(f"the image of the sky is of no use: {what}", remedy, *path))
             continue
         if found:
             what, remedy = "POV-Ray shows one image of the sky", "add the images up into one"
-            refused.append(refusals.at(what, remedy, *path))
-        elif not np.isfinite(radiance).all() or radiance.min() < 0:
-            what, remedy = "the image of the sky has a pixel that is negative or not finite", "correct the image"
             refused.append(refusals.at(what, remedy, *path))
         elif radiance.shape[0] * radiance.shape[1] > MOST_PIXELS:
             what = f"the image of the sky has more than {MOST_PIXELS} pixels, and POV-Ray holds it once a run"
