@@ -4,10 +4,14 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import numpy as np
 import pytest
+import typer
 
 from tests.commands.command_line import ROOT, SCENE, files_in, run
 from vitrail.commands.app import main
+from vitrail.commands.exit_code import exit_codes
+from vitrail.engines.povray_result import write_sky
 
 MALFORMED = sorted((ROOT / "tests" / "scene" / "malformed").glob("*.yaml"))
 WRITING_VERBS = {
@@ -84,6 +88,18 @@ def test_a_place_that_cannot_be_written_is_told_and_is_no_verdict(verb: str, tmp
     assert result.exit_code == 2, result.output
     assert f"{taken}: file exists; name another place" in result.stderr
     assert taken.read_text() == "yesterday's work"
+
+
+def test_a_disk_that_is_full_is_told_and_is_no_defect() -> None:
+    with pytest.raises(typer.Exit) as ended, exit_codes(), open("/dev/full", "w", buffering=1) as disk:
+        disk.write("more\n")
+    assert ended.value.exit_code == 2
+
+
+def test_an_image_that_cannot_be_written_is_told_and_is_no_defect(tmp_path: Path) -> None:
+    with pytest.raises(typer.Exit) as ended, exit_codes():
+        write_sky(tmp_path / "no folder" / "sky.exr", np.ones((2, 4, 3)))
+    assert ended.value.exit_code == 2
 
 
 def test_a_defect_of_the_program_is_no_verdict(monkeypatch: pytest.MonkeyPatch) -> None:

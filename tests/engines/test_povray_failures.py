@@ -7,6 +7,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from tests.lower.povray.real_povray import lowered, rendered, scene
@@ -14,6 +15,7 @@ from vitrail.engines import povray as module
 from vitrail.engines.base import EngineFailure
 from vitrail.engines.povray import Povray
 from vitrail.lower.povray import PovrayScene
+from vitrail.lower.povray.sky import SkyPicture
 
 Fake = Callable[[str], str]
 
@@ -114,6 +116,13 @@ def test_expected_photons_that_are_not_stored_are_a_failure() -> None:
     loaded = scene("floor: {diffuse: 0.5}\nclear: {transmission: 1, ior: 1.5}", objects)
     with pytest.raises(EngineFailure, match="photons and saved none with light"):
         rendered(loaded, photons=10_000)
+
+
+def test_a_sky_that_cannot_be_written_is_told(fake: Fake, tmp_path: Path) -> None:
+    translated = card()
+    skies = [replace(run, sky=SkyPicture("no folder/sky.exr", np.ones((2, 4, 3)))) for run in translated.runs]
+    with pytest.raises(EngineFailure, match=r"sky cannot be written .*; free room there, or name another folder"):
+        Povray(fake(BANNER)).render(replace(translated, runs=tuple(skies)), tmp_path / "out")
 
 
 def test_a_povray_without_memory_says_so(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 from collections.abc import Iterator
 from contextlib import contextmanager
 
@@ -11,6 +12,7 @@ AGREES, DEVIATES, SCENE_ERROR, NOT_TRANSLATABLE, ENGINE_FAILED, INCONCLUSIVE = r
 INTERRUPTED, TERMINATED = 130, 143
 DEFECT = 70
 """A defect of this program, as in sysexits.h. Python would end with 1, which says that a scene deviates."""
+DISK_FULL = (errno.ENOSPC, errno.EDQUOT)
 
 
 @contextmanager
@@ -36,14 +38,19 @@ def exit_codes() -> Iterator[None]:
         _say(["interrupted"])
         raise typer.Exit(INTERRUPTED) from None
     except OSError as error:
-        if error.filename is None:
+        # Writing to a full disk names no file, and is nobody's defect.
+        if error.filename is None and error.errno not in DISK_FULL:
             raise
         what = (error.strerror or "it cannot be used").lower()
-        _say([f"{error.filename}: {what}; name another place, or free this one"])
+        _say([f"{error.filename or 'the disk'}: {what}; name another place, or free this one"])
         raise typer.Exit(SCENE_ERROR) from None
     except Exception as error:
+        from vitrail.images.exr import ImageError
         from vitrail.lower.povray import NotTranslatable
 
+        if isinstance(error, ImageError):
+            _say([str(error)])
+            raise typer.Exit(SCENE_ERROR) from None
         if not isinstance(error, NotTranslatable):
             raise
         _say(str(diagnostic) for diagnostic in error.diagnostics)

@@ -22,6 +22,7 @@ from vitrail.engines.povray_result import Execution, Outcome, PhotonCensus, writ
 from vitrail.images.exr import ImageError, read_image, write_image
 from vitrail.lower.povray import PovrayRun, PovrayScene
 from vitrail.lower.povray.photons import PHOTON_FILE
+from vitrail.lower.povray.sky import SkyPicture
 
 OLDEST = (3, 7)
 TIMEOUT_S = 3600.0
@@ -104,7 +105,7 @@ class Povray:
         with tempfile.TemporaryDirectory(prefix="vitrail-povray-") as name:
             folder = Path(name)
             if run.sky is not None:
-                write_image(folder / run.sky.name, run.sky.pixels, pixel_type="half")
+                self._write_sky(folder, run.sky)
             census = None
             if run.photon_sdl is not None:
                 shot = self._execute(run.photon_sdl, 1, 1, folder, lowered, shown, run.name)
@@ -113,6 +114,13 @@ class Povray:
             image = self._image(folder / "image.exr", run, done.output)
         self._check_depth(run, done)
         return Outcome(run, image, done, census)
+
+    def _write_sky(self, folder: Path, sky: SkyPicture) -> None:
+        try:
+            write_image(folder / sky.name, sky.pixels, pixel_type="half")
+        except ImageError as error:
+            remedy = "free room there, or name another folder in TMPDIR"
+            raise EngineFailure(self.name, f"what it is to see as sky cannot be written ({error})", remedy) from None
 
     def _execute(
         self, sdl: str, width: int, height: int, folder: Path, lowered: PovrayScene, shown: _SharedProgress, run: str

@@ -190,11 +190,14 @@ def _warnings(outcomes: list[Outcome]) -> list[str]:
 
 
 def write_sky(path: Path, pixels: np.ndarray) -> None:
-    """Write a sky whole, and once for all runs that see it: its name says the content."""
+    """Write a sky whole, and once for all runs that see it: its name says the content. Raises ImageError."""
     if not path.is_file():
         partial = path.with_name(f".{path.name}.partial.exr")
-        write_image(partial, pixels, pixel_type="half")
-        os.replace(partial, path)
+        try:
+            write_image(partial, pixels, pixel_type="half")
+            os.replace(partial, path)
+        finally:
+            partial.unlink(missing_ok=True)
 
 
 def _write_text(path: Path, text: str) -> None:

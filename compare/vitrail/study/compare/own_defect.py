@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import traceback
 
 from vitrail.images.exr import ImageError
@@ -21,7 +22,8 @@ TRACEBACK = "traceback.txt"
 def is_own_defect(error: Exception) -> bool:
     """Whether nobody but this program is to blame: neither a scene, a reference, an image nor a place on disk."""
     if isinstance(error, OSError):
-        return error.filename is None
+        # Writing to a full disk names no file.
+        return error.filename is None and error.errno not in (errno.ENOSPC, errno.EDQUOT)
     return not isinstance(error, SceneErrors | ReferencesError | ThresholdError | ImageError)
 
 
