@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from mpmath import atan, mpf, pi, quad, sqrt
+from mpmath import atan, cos, mpf, pi, quad, sin, sqrt
 
 
 def sunlit(diffuse, irradiance, cosine):
@@ -46,3 +46,19 @@ def lamplit_bow(height, half_edge):
 def half_and_half(share, bright, dim):
     """Mean radiance of a mirror that shows two walls, half of the patch each."""
     return mpf(share) * (mpf(bright) + dim) / 2
+
+
+def overcast_row(row, *, rows):
+    """Mean over one row of an image of the overcast sky, by solid angle; row 0 is up."""
+    top, bottom = pi / 2 - pi * row / rows, pi / 2 - pi * (row + 1) / rows
+    power = quad(lambda g: (1 + 2 * sin(g)) / 3 * cos(g), [bottom, top])
+    return power / quad(cos, [bottom, top])
+
+
+def overcast_irradiance(*, rows):
+    """Of a level face under that image, W m^-2 for a zenith of 1; 7 pi / 9 for very fine rows."""
+    total = mpf(0)
+    for row in range(rows // 2):
+        top, bottom = pi / 2 - pi * row / rows, pi / 2 - pi * (row + 1) / rows
+        total += overcast_row(row, rows=rows) * quad(lambda g: 2 * pi * sin(g) * cos(g), [bottom, top])
+    return total

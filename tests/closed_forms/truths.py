@@ -34,6 +34,14 @@ def _card(diffuse: str) -> Computed:
     return lambda: cards.sunlit(diffuse, 3, mpf("0.8"))
 
 
+def _overcast(zenith: str, diffuse: str) -> Computed:
+    return lambda: mpf(diffuse) / pi * mpf(zenith) * cards.overcast_irradiance(rows=32)
+
+
+def _overcast_row(zenith: str, share: str) -> Computed:
+    return lambda: mpf(share) * mpf(zenith) * cards.overcast_row(5, rows=32)
+
+
 def _lamp(diffuse: str) -> Computed:
     return lambda: cards.lamplit_mean(diffuse, 10, 2, mpf("0.5"))
 
@@ -94,6 +102,8 @@ WALL = ("0.9", "0.6", "0.3")
 GREY = ("0.18", "0.5", "0.9")
 TINT = ("0.9", "0.5", "0.2")
 
+ZENITH = ("0.85", "1", "1.2")
+
 PANELS = {
     "near_left": ("0.9", "0.1", "0.05"),
     "near_right": ("0.1", "0.7", "0.05"),
@@ -133,6 +143,8 @@ SCENES: dict[tuple[str, str, str], Computed] = {
     **_coloured("tinted_pane_projected", "projected", "transmittance", tuple(_pane(t) for t in TINT)),
     **_coloured("grey_card_spot", "card", "mean_radiance", tuple(_spot(d) for d in GREY)),
     **_coloured("grey_card_disc", "card", "mean_radiance", tuple(_disc(d) for d in GREY)),
+    **_coloured("overcast_card", "card", "mean_radiance", tuple(_overcast(z, "0.5") for z in ZENITH)),
+    **_coloured("overcast_card", "sky", "mean_radiance", tuple(_overcast_row(z, "0.9") for z in ZENITH)),
     **_coloured("ambient_card", "card", "mean_radiance", tuple(_ambient(d, 2) for d in GREY)),
     **_coloured("ambient_card", "card", "indirect_radiance", tuple(_ambient(d, 1) for d in GREY)),
     **_coloured("closed_room", "wall", "mean_radiance", (lambda: 1 / pi,) * 3),

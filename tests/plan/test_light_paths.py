@@ -109,3 +109,13 @@ def test_an_unseen_receiver_shows_no_caustic() -> None:
     assert names(make(table, BALL % "clear", card % "black", camera=camera)) == set()
     assert names(make(table, BALL % "clear", card % "white", camera=camera)) == {("sun", "ball", "card")}
     assert ("sun", "ball", "table") in names(make(table, BALL % "clear", card % "mirror", camera=camera))
+
+
+BESIDE = "{name: card, rectangle: {center: [-2, 0, 0], u: [1, 0, 0], v: [0, 0, 1]}, material: white}"
+FLAT_MIRROR = "{name: pool, rectangle: {center: [2, %s, 0], u: [1, 0, 0], v: [0, 0, 1]}, material: mirror}"
+
+
+@pytest.mark.parametrize(("height", "reaches"), [("0", False), ("1e-9", True)])
+def test_a_flat_mirror_lights_nothing_in_its_own_plane(height: str, reaches: bool) -> None:
+    found = names(make(BESIDE, FLAT_MIRROR % height, lights=(LAMPS["sky"],)))
+    assert found == ({("lamp", "pool", "card")} if reaches else set())

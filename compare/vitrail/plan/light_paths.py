@@ -10,6 +10,7 @@ from __future__ import annotations
 from vitrail.plan.bounds import bounds_of
 from vitrail.plan.convexity import never_meets_itself
 from vitrail.plan.light_reach import may_reach
+from vitrail.plan.occlusion import lies_in_plane_of
 from vitrail.plan.plan import CausticPath
 from vitrail.plan.upstream import is_shut_off
 from vitrail.plan.view import View, view_of
@@ -60,8 +61,11 @@ def caustic_paths(scene: Scene) -> tuple[CausticPath, ...]:
 def may_send(scene: Scene, source: Object, target: Object) -> bool:
     """Whether light that left ``source`` in a mirrored or refracted direction may fall on ``target``.
 
-    An opaque convex or flat mirror never lights itself where that is seen; everything else may light everything.
+    An opaque convex or flat mirror never lights itself where that is seen, and a flat one nothing in its own plane;
+    everything else may light everything.
     """
+    if lies_in_plane_of(target, source):
+        return False
     if source is not target:
         return True
     return not never_meets_itself(scene, source)

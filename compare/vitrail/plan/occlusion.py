@@ -44,6 +44,8 @@ def may_shadow(scene: Scene, light: Light, receiver: Object, occluder: Object) -
     An opaque convex or flat thing does not shadow itself: where it would, its surface faces away from the light. That
     is so for what is seen from outside.
     """
+    if lies_in_plane_of(receiver, occluder):
+        return False
     if occluder is receiver:
         return not never_meets_itself(scene, occluder)
     emitter = light.emitter
@@ -90,6 +92,17 @@ def _shadows_parallel(sun: Directional, receiver: Object, occluder: Object) -> b
     reach = (obstacle.radius_m + target.radius_m + spread) * (1 + SLACK)
     aside = length(subtract(away, scale(back, ahead)))
     return ahead >= -reach and aside <= reach
+
+
+def lies_in_plane_of(item: Object, flat: Object) -> bool:
+    """Whether all of a thing lies in the plane of another, flat one: no straight line leads from one to the other.
+
+    A thing lies in its own plane too; to the bit, because what is out of it by a hair may be lit.
+    """
+    plane, bounds = carrier_plane(flat), bounds_of(item)
+    if plane is None or not bounds.is_finite or carrier_plane(item) is None:
+        return False
+    return all(plane_distance(plane, corner) == 0 for corner in bounds.corners)
 
 
 def carrier_plane(item: Object) -> Plane | None:
