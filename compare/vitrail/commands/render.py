@@ -5,13 +5,22 @@ from __future__ import annotations
 import os
 import tempfile
 from pathlib import Path
-from typing import TYPE_CHECKING, assert_never
+from typing import TYPE_CHECKING, Any, assert_never
 
 import typer
 
 from vitrail.commands.emit import EngineName
 from vitrail.commands.exit_code import INTERRUPTED, exit_codes, usage_error
 from vitrail.commands.output import print_json
+from vitrail.commands.render_passes import (
+    BUDGET_S,
+    PASSES,
+    RESUME,
+    TARGET_ERROR,
+    PassOptions,
+    render_passes,
+    say_how_it_ended,
+)
 from vitrail.commands.settings_options import QUALITY, SETTINGS, parse_settings
 
 if TYPE_CHECKING:
@@ -32,6 +41,10 @@ def render(
     threads: int = typer.Option(0, "--threads", min=0, help="Threads; 0 takes every core."),
     solver: str | None = typer.Option(None, "--solver", help="How caustics are solved."),
     settings: list[str] = SETTINGS,
+    passes: int | None = PASSES,
+    budget_s: float | None = BUDGET_S,
+    target_error: list[str] = TARGET_ERROR,
+    resume: bool = RESUME,
     png: bool = typer.Option(False, "--png", help="Write a picture for the eye beside the image."),
     as_json: bool = typer.Option(False, "--json", help="Print the run record as JSON."),
 ) -> None:
@@ -48,12 +61,43 @@ def render(
         chosen = parse_settings(loaded.scene, plan, quality, settings, **options)
         for warning in plan.warnings:
             typer.echo(f"warning: {warning}", err=True)
+        given = samples is not None or any(each.split("=")[0].strip() == "samples" for each in settings)
+        by_passes = PassOptions(passes, budget_s, target_error, resume, given)
+        if by_passes.wanted:
+            _by_passes(engine, loaded, plan, chosen, threads, out, by_passes, png, as_json)
+            return
         made = _rendered(engine, loaded, plan, chosen, threads, out)
-        files = [out, out.with_suffix(".run.json")] + ([_picture(out, loaded)] if png else [])
-        print_json(made.record) if as_json else typer.echo("\n".join(str(file) for file in files))
+        _say_files(made.record, out, loaded, png, as_json)
         if made.interrupted:
             typer.echo("interrupted: the image holds the finished work", err=True)
             raise typer.Exit(INTERRUPTED)
+
+
+def _by_passes(
+    engine: EngineName,
+    loaded: Loaded,
+    plan: Plan,
+    settings: Settings,
+    threads: int,
+    out: Path,
+    options: PassOptions,
+    png: bool,
+    as_json: bool,
+) -> None:
+    """Render by passes, say what came of it, and end with its exit code."""
+    if engine is not EngineName.TRACER:
+        raise usage_error("--engine povray: only the tracer renders by passes; leave --engine out, or those options")
+    done, code = render_passes(loaded, plan, settings, threads, out, options)
+    if done.record is not None:
+        _say_files(done.record, out, loaded, png, as_json)
+    say_how_it_ended(done, code)
+    if code:
+        raise typer.Exit(code)
+
+
+def _say_files(record: dict[str, Any], out: Path, loaded: Loaded, png: bool, as_json: bool) -> None:
+    files = [out, out.with_suffix(".run.json")] + ([_picture(out, loaded)] if png else [])
+    print_json(record) if as_json else typer.echo("\n".join(str(file) for file in files))
 
 
 def _rendered(engine: EngineName, loaded: Loaded, plan: Plan, settings: Settings, threads: int, out: Path) -> Rendering:

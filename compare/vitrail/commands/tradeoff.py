@@ -10,6 +10,7 @@ import typer
 
 from vitrail.commands.exit_code import exit_codes, usage_error
 from vitrail.commands.output import print_json
+from vitrail.commands.target_error import parse_target_error
 
 if TYPE_CHECKING:
     from vitrail.study.tradeoff.knobs import Extent
@@ -106,16 +107,9 @@ def _aim(text: str, found: dict) -> Any:
     """``caustic=0.01`` as an aim."""
     from vitrail.study.tradeoff.predict import Aim
 
-    phenomenon, _, error = text.partition("=")
-    if phenomenon not in found["phenomena"]:
-        known = ", ".join(found["phenomena"])
-        raise usage_error(f"--target-error {text}: the study measured {known}; name one of them")
-    try:
-        wanted = float(error)
-    except ValueError:
-        wanted = 0.0
-    if not 0 < wanted < 1:
-        raise usage_error(f"--target-error {text}: write a share above 0 and below 1, such as {phenomenon}=0.01")
+    phenomenon, metric, wanted = parse_target_error(text, found["phenomena"], "the study measured", "name one of them")
+    if metric:
+        raise usage_error(f"--target-error {text}: a study predicts whole phenomena; write {phenomenon}={wanted:g}")
     return Aim(phenomenon, error=wanted)
 
 

@@ -82,8 +82,8 @@ def _observe(
         raise NothingToMeasure(
             f"{observation.name}: {share} of its patch is in the frame; move the patch or the camera"
         )
-    samples = {side: _samples(scene, observation, image, grid) for side, image in images.items()}
-    context = _context(scene, observation, truth, correlation_m)
+    samples = {side: samples_of(scene, observation, image, grid) for side, image in images.items()}
+    context = context_of(scene, observation, truth, correlation_m)
     measured: list[Measured] = []
     truths: list[Truth | None] = []
     unmeasured: list[str] = []
@@ -118,12 +118,12 @@ def patch_lights(
     found = {}
     for entry in scene.observe:
         grid = make_grid(scene.camera, scene.image, entry.patch)
-        tracer, povray = (_samples(scene, entry, images[side], grid) for side in ("tracer", "povray"))
-        found[entry.name] = patch_light(tracer, povray, _context(scene, entry, truth, correlation_m))
+        tracer, povray = (samples_of(scene, entry, images[side], grid) for side in ("tracer", "povray"))
+        found[entry.name] = patch_light(tracer, povray, context_of(scene, entry, truth, correlation_m))
     return found
 
 
-def _samples(scene: Scene, observation: Observation, image: ImageLayers, grid: PatchGrid) -> PatchSamples:
+def samples_of(scene: Scene, observation: Observation, image: ImageLayers, grid: PatchGrid) -> PatchSamples:
     return sample_patch(
         image.radiance,
         scene.camera,
@@ -136,7 +136,7 @@ def _samples(scene: Scene, observation: Observation, image: ImageLayers, grid: P
     )
 
 
-def _context(scene: Scene, observation: Observation, truth: SceneTruth, correlation_m: float) -> Context:
+def context_of(scene: Scene, observation: Observation, truth: SceneTruth, correlation_m: float) -> Context:
     """What the metrics may know: what the references state of the observation, and what the camera and plan give."""
     view = math.dist(scene.camera.position, observation.patch.center)
     known = truth.context(observation.name)

@@ -36,17 +36,15 @@ class Rule:
 
     def part(self, ideal: float, half_edge_m: float) -> TolerancePart:
         """The tolerance in the metric's unit, for an ideal value and a patch."""
-        return TolerancePart(
-            source="threshold", amount=self.amount * self._size(ideal, half_edge_m), reason=self.reason
-        )
+        return TolerancePart(source="threshold", amount=self.amount * self.size(ideal, half_edge_m), reason=self.reason)
 
     def widening(self, residual: float, ideal: float, half_edge_m: float) -> float:
         """What a relative ``residual`` of the translation is worth in the metric's unit."""
         usual = 0.0 if self.kind == "absolute" else 1.0
         worth = usual if self.certificate is None else self.certificate
-        return residual * worth * self._size(ideal, half_edge_m)
+        return residual * worth * self.size(ideal, half_edge_m)
 
-    def _size(self, ideal: float, half_edge_m: float) -> float:
+    def size(self, ideal: float, half_edge_m: float) -> float:
         return {"relative": abs(ideal), "of_patch": half_edge_m, "absolute": 1.0}[self.kind]
 
 
