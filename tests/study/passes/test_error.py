@@ -13,7 +13,8 @@ from tests.study.compare.doubles import FormulaEngine
 from tests.study.passes.small_job import glowing_ball, job, passes
 from vitrail.engines.base import Progress, Rendering, silent
 from vitrail.images.exr import read_image
-from vitrail.judge.half_error import HalfError
+from vitrail.judge.half_error import HalfError, Scatter
+from vitrail.study.passes.checkpoint import checkpoint_path, read_checkpoint
 from vitrail.study.passes.run import Finished, Look
 from vitrail.study.passes.schedule import blur_radius_m
 from vitrail.study.passes.stop import Reason, Target, Wish, is_spent, next_look, passes_wanted
@@ -100,6 +101,22 @@ def test_looks_between_sittings_are_those_of_one(tmp_path: Path) -> None:
     parts = passes(job(tmp_path / "two.exr"), Wish(targets=(target,)), resume=True)
     assert whole.record is not None and parts.record is not None
     assert whole.record["passes"]["count"] == parts.record["passes"]["count"] > 3
+
+
+def test_the_interval_is_never_narrower_than_the_scatter_of_the_passes(tmp_path: Path) -> None:
+    """Sixteen numbers that are off by 1 leave their mean known to 1/4, and Student's t of 16 degrees is 2.12."""
+    scatter = Scatter()
+    for sign in [1, -1] * 8:
+        assert scatter.count >= 4 or scatter.half_width("spot: r50") == 0
+        scatter = scatter.with_moves({"spot: r50": sign})
+    assert scatter.half_width("spot: r50") == pytest.approx(2.12 / 4, rel=1e-3)
+    assert scatter.with_moves({}).half_width("spot: r50") == 0
+    passes(job(tmp_path / "image.exr"), 4)
+    work = job(tmp_path / "image.exr")
+    kept = read_checkpoint(checkpoint_path(work.out), work.identity)
+    found = {each.metric: each.half_width for each in passes(work, 4, resume=True).errors}
+    assert kept.scatter.count == 4
+    assert all(found[key.split(": ")[1]] >= kept.scatter.half_width(key) > 0 for key in kept.scatter.squares)
 
 
 class Priced(FormulaEngine):

@@ -17,6 +17,7 @@ from zipfile import BadZipFile
 
 import numpy as np
 
+from vitrail.judge.half_error import Scatter
 from vitrail.study.passes.sums import Sums
 
 FORMAT = 1
@@ -49,6 +50,7 @@ class Checkpoint:
     sums: Sums = Sums()
     record: Mapping[str, Any] = field(default_factory=dict)
     metadata: Mapping[str, Any] = field(default_factory=dict)
+    scatter: Scatter = Scatter()
     noise: tuple[float, ...] = ()
     cpu_s: tuple[float, ...] = ()
     targets: tuple[str, ...] = ()
@@ -65,7 +67,8 @@ def write_checkpoint(path: Path, state: Checkpoint) -> None:
         "vitrail_passes": FORMAT,
         "count": state.sums.count,
         "names": list(state.sums.arrays),
-        **{name: value for name, value in vars(state).items() if name not in ("sums", "identity")},
+        **{name: value for name, value in vars(state).items() if name not in ("sums", "scatter", "identity")},
+        "scatter": asdict(state.scatter),
         "identity": asdict(state.identity),
     }
     arrays = {str(place): array for place, array in enumerate(state.sums.arrays.values())}
@@ -97,7 +100,8 @@ def read_checkpoint(path: Path, wanted: Identity) -> Checkpoint:
         rest = {name: _frozen(header[name]) for name in Checkpoint.__dataclass_fields__ if name in header}
         if header["vitrail_passes"] != FORMAT:
             raise ValueError(f"version {header['vitrail_passes']}, not {FORMAT}")
-        state = Checkpoint(**{**rest, "identity": found, "sums": Sums(int(header["count"]), arrays)})
+        sums, scatter = Sums(int(header["count"]), arrays), Scatter(**header["scatter"])
+        state = Checkpoint(**{**rest, "identity": found, "sums": sums, "scatter": scatter})
     except (ValueError, KeyError, TypeError, EOFError, OSError, BadZipFile) as damage:
         raise CheckpointError(
             f"{path}: is no checkpoint that can be read ({damage}); leave --resume out to begin anew"

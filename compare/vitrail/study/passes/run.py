@@ -8,12 +8,13 @@ import os
 import tempfile
 from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass, replace
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
 from vitrail.engines.base import Engine, Progress, Rendering, silent
 from vitrail.images.exr import ImageLayers, read_image, write_image
-from vitrail.judge.half_error import HalfError, half_errors
+from vitrail.judge.half_error import HalfError, Observer
 from vitrail.judge.references import SceneTruth
 from vitrail.judge.thresholds import Thresholds
 from vitrail.lower.canonical_json import canonical_json
@@ -52,6 +53,10 @@ class Job:
     def first_radius_m(self) -> float:
         """Gather radius of the first pass, the largest."""
         return float(self.lowered["settings"]["gather_radius_m"])
+
+    @cached_property
+    def observer(self) -> Observer:
+        return Observer(self.scene, self.truth, self.thresholds, self.first_radius_m)
 
     @property
     def identity(self) -> Identity:
@@ -128,10 +133,13 @@ def _with_pass(job: Job, state: Checkpoint, interrupt: Interrupt, progress: Prog
         if made is None or made.interrupted:
             return None
         image = read_image(made.image_path)
+    assert image.half_a is not None and image.half_b is not None
     sums = state.sums.with_pass(image)
+    moves = job.observer.moves(sums.mean(), (image.half_a - image.half_b) / 2)
     return replace(
         state,
         sums=sums,
+        scatter=state.scatter.with_moves(moves),
         record=with_record(state.record, made.record, number - 1),
         metadata=state.metadata or {key: value for key, value in image.metadata.items() if key.startswith("vitrail:")},
         noise=(*state.noise, sums.noise()),
@@ -160,15 +168,8 @@ def _looked(job: Job, wish: Wish, state: Checkpoint, on_look: Callable[[Look], N
 
 
 def _errors(job: Job, state: Checkpoint, phenomena: frozenset[str] | None = None) -> tuple[HalfError, ...]:
-    return half_errors(
-        job.scene,
-        state.sums.mean(),
-        job.truth,
-        job.thresholds,
-        correlation_m=job.first_radius_m,
-        blur_radius_m=_blur_radius_m(job, state),
-        phenomena=phenomena,
-    )
+    blur_radius_m = _blur_radius_m(job, state)
+    return job.observer.errors(state.sums.mean(), state.scatter, blur_radius_m=blur_radius_m, phenomena=phenomena)
 
 
 def _blur_radius_m(job: Job, state: Checkpoint) -> float:
