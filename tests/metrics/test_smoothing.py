@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from tests.metrics.synthetic import patch_of, spot
-from vitrail.metrics.smoothing import smoothed_again
+from vitrail.metrics.smoothing import gathered_again, pixelled_again, smoothed_again
 
 SIGMA = 0.15
 
@@ -38,3 +40,18 @@ def test_the_second_smoothing_changes_the_top_of_a_spot_nearly_as_much_as_the_fi
     # Each multiplies the variance: the second change is smaller by two widths, 4 % each, squared of the plane.
     assert first == pytest.approx(0.04, rel=0.1)
     assert second == pytest.approx(first, rel=0.1)
+
+
+def test_the_disc_spreads_gathered_light_alone_and_pixels_all_of_it() -> None:
+    light, rest = patch_of(spot(sigma=SIGMA)).values, patch_of(spot(u0=0.3, sigma=SIGMA)).values
+    samples = replace(patch_of(spot(sigma=SIGMA)), values=light + rest, layers={"caustic": light, "diffusion": rest})
+    disc, pixel = gathered_again(samples, 0.1), pixelled_again(samples)
+    np.testing.assert_array_equal(disc.layers["diffusion"], rest)
+    for again in (disc, pixel):
+        assert again.layers["caustic"].max() < light.max()
+        np.testing.assert_allclose(sum(again.layers.values()), again.values, atol=1e-12)
+    assert pixel.layers["diffusion"].max() < rest.max()
+    # Disc after pixels is what smooths everything that is gathered.
+    caustic = replace(samples, values=light, layers={"caustic": light})
+    both = gathered_again(pixelled_again(caustic), 0.1)
+    np.testing.assert_allclose(both.values, smoothed_again(caustic, 0.1).values, atol=1e-12)
