@@ -154,4 +154,5 @@ def test_the_next_look_is_where_the_target_should_be_met_and_never_beyond_twice_
     assert passes_wanted([Target("caustic", "", 0.01)], [error], 4) == 36
     assert passes_wanted([Target("caustic", "r90", 0.01)], [error], 4) is None
     assert [next_look(36, 4), next_look(6, 4), next_look(3, 4), next_look(None, 4)] == [8, 6, 5, 8]
+    assert [next_look(2, 1), next_look(101, 100)] == [2, 125]
     assert is_spent(Wish(), [1.0] * 1000) is None

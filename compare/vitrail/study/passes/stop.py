@@ -9,6 +9,9 @@ from enum import StrEnum
 
 from vitrail.judge.half_error import HalfError
 
+LEAST_STEP = 1.25
+"""Passes at the next look over those at this one; a target is overshot by so much at most."""
+
 
 class Reason(StrEnum):
     """Why no further pass was made."""
@@ -79,9 +82,11 @@ def passes_wanted(targets: Sequence[Target], errors: Sequence[HalfError], passes
 
 
 def next_look(wanted: int | None, passes: int) -> int:
-    """When to measure the error again: where it should be small enough, at twice the passes at the latest.
+    """When to measure the error again: where it should be small enough, after a quarter more passes at the earliest and
+    twice the passes at the latest.
 
-    It follows from images alone, so the same passes always stop at the same number; and there are as few looks as
-    octaves, because each is a test that may stop too early by chance.
+    It follows from images alone, so the same passes always stop at the same number; and there are three looks an octave
+    at most, because each is a test that may stop too early by chance.
     """
-    return 2 * passes if wanted is None else min(max(wanted, passes + 1), 2 * passes)
+    soonest = math.ceil(LEAST_STEP * passes)
+    return 2 * passes if wanted is None else min(max(wanted, soonest), 2 * passes)
