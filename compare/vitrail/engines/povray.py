@@ -166,13 +166,15 @@ class Povray:
         return PhotonCensus(shot, len(photons), fluxes_of(photons).sum(axis=0), time.thread_time() - started)
 
     def _check_photons(self, outcomes: list[Outcome]) -> None:
-        """Photons that never arrive anywhere are a plausible, wrong picture [P 12.2]."""
+        """Photons that lost their light, or their way to the file, are a plausible, wrong picture [P 12.1, 12.2].
+
+        That none arrives anywhere is no fault by itself: their light may leave the scene.
+        """
         found = [outcome.census for outcome in outcomes if outcome.census is not None]
-        if found and not any(census.flux.any() for census in found):
-            shot = sum(census.shot.statistics.photons_shot for census in found)
-            what = f"it shot {shot} photons and saved none with light, so the picture would have no caustic"
-            remedy = "check that light reaches the glass and a surface behind it; its words follow"
-            raise EngineFailure(self.name, what, remedy, complaint_of(found[0].shot.output))
+        stored = sum(max(census.stored, census.shot.statistics.photons_stored) for census in found)
+        if stored and not any(census.flux.any() for census in found):
+            what = f"it stored {stored} photons and saved none with light, so the picture would have no caustic"
+            raise EngineFailure(self.name, what, DEFECT, complaint_of(found[0].shot.output))
 
     def _image(self, path: Path, run: PovrayRun, output: str) -> np.ndarray:
         """The run's image, (height, width, 3); raises EngineFailure when it is missing or not what was asked for."""

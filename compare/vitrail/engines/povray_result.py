@@ -180,13 +180,18 @@ def _run_record(outcome: Outcome) -> dict[str, Any]:
 
 
 def _warnings(outcomes: list[Outcome]) -> list[str]:
-    """Rays that met the limit of depth, where the scene itself sets it."""
+    """Rays that met the limit of depth, where the scene itself sets it, and photons that all left the scene."""
     limits = {
         outcome.done.statistics.level_limit
         for outcome in outcomes
         if outcome.done.statistics.deepest_level >= outcome.done.statistics.level_limit > 0
     }
-    return [f"camera rays reached the scene's limit of {limit} levels; what lies deeper is black" for limit in limits]
+    found = [f"camera rays reached the scene's limit of {limit} levels; what lies deeper is black" for limit in limits]
+    census = [outcome.census for outcome in outcomes if outcome.census is not None]
+    if census and not any(each.stored for each in census):
+        shot = sum(each.shot.statistics.photons_shot for each in census)
+        found.append(f"none of {shot} photons met a surface that scatters; the picture has no caustic")
+    return found
 
 
 def write_sky(path: Path, pixels: np.ndarray) -> None:

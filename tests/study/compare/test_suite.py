@@ -9,10 +9,12 @@ import numpy as np
 import pytest
 
 from tests.study.compare.doubles import CARD, FormulaEngine
+from vitrail.engines.base import EngineFailure
 from vitrail.judge.comparison import Pair, Verdict
 from vitrail.judge.records import Results, SceneResult, Status, read_results
 from vitrail.judge.reference_files import ReferencesError
 from vitrail.scene.load import Loaded, load
+from vitrail.study.compare.render import check_photons
 from vitrail.study.compare.request import Defect, Request
 from vitrail.study.compare.suite import compare, scene_names
 
@@ -232,3 +234,13 @@ def test_a_defect_reaches_the_engine_and_the_reproduce_line(tmp_path: Path, card
 def test_scenes_of_one_name_get_folders_of_their_own() -> None:
     paths = [Path("/a/x.yaml"), Path("/b/x.yaml"), Path("/b/y.yaml"), Path("/c/b/x.yaml")]
     assert scene_names(paths) == ["a-x", "b-x", "y", "b-x-3"]
+
+
+def test_photons_of_one_engine_that_all_went_astray_are_a_failure() -> None:
+    """100 expected photons are the limit: by chance none of them is met with e^-100."""
+    tracer = {"counters": {"photons_emitted": 10_000, "photons_stored": 1_000}}
+    for emitted, stored in ((900, 0), (5000, 1), (0, 0)):
+        check_photons(tracer, {"counters": {"photons_emitted": emitted, "photons_stored": stored}})
+    check_photons({"counters": {**tracer["counters"], "photons_stored": 0}}, {"counters": {"photons_emitted": 5000}})
+    with pytest.raises(EngineFailure, match="stored none, where the tracer stored 1000 of 10000"):
+        check_photons(tracer, {"counters": {"photons_emitted": 5000, "photons_stored": 0}})
