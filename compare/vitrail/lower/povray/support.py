@@ -7,21 +7,18 @@ from collections.abc import Iterator
 from vitrail.lower.povray.radiosity import radiosity_refusals
 from vitrail.lower.povray.refusal import NotTranslatable, Refusals
 from vitrail.lower.povray.roughness import WIDEST_TILT, bumps_of
-from vitrail.lower.povray.surface_points import surface_points
+from vitrail.lower.povray.undimmed import lamps_in_absorbing_glass
 from vitrail.optics.dispersion import reference_ior
 from vitrail.plan.plan import Plan
-from vitrail.scene.absorption import absorption_per_m
 from vitrail.scene.diagnostic import Diagnostic
-from vitrail.scene.inside import contains, is_solid
-from vitrail.scene.model import Ggx, Material, Object, Point, Scene, Spot
+from vitrail.scene.model import Ggx, Material, Scene
 from vitrail.scene.phenomenon import Phenomenon
-from vitrail.scene.placement import place
 
 
 def refuse_unsupported(scene: Scene, plan: Plan, refusals: Refusals) -> None:
     """Raises NotTranslatable with one diagnostic a place."""
     found = [*_literal_readings(scene, plan, refusals), *_rough_faces(scene, refusals)]
-    found += _lamps_in_absorbing_glass(scene, refusals)
+    found += lamps_in_absorbing_glass(scene, refusals)
     if scene.transport.indirect == "photons":
         found += radiosity_refusals(scene, refusals)
     if found:
@@ -52,34 +49,6 @@ def _has_rough_photons(scene: Scene, plan: Plan) -> bool:
         material.roughness and not isinstance(material.roughness, Ggx) for material in scene.materials.values()
     )
     return by_equation_8 and (plan.requires(Phenomenon.CAUSTIC) or scene.transport.indirect == "photons")
-
-
-def _lamps_in_absorbing_glass(scene: Scene, refusals: Refusals) -> Iterator[Diagnostic]:
-    """Light that stays in an absorbing medium from a lamp to a surface arrives undimmed in POV-Ray [P 7]."""
-    for index, light in enumerate(scene.lights):
-        emitter = light.emitter
-        if not isinstance(emitter, Point | Spot):
-            continue
-        for glass in scene.objects:
-            material = scene.material_of(glass)
-            absorbs = is_solid(glass) and material.is_transmissive and max(absorption_per_m(material)) > 0
-            if absorbs and contains(glass, emitter.position) and _holds_a_scatterer(scene, glass):
-                what = (
-                    f"POV-Ray does not dim the light of `{light.name}` on its way inside the absorbing `{glass.name}`"
-                )
-                remedy = "render it with the tracer alone, or move the lamp out of what absorbs"
-                yield refusals.at(what, remedy, "lights", index, light.kind)
-
-
-def _holds_a_scatterer(scene: Scene, glass: Object) -> bool:
-    """Whether a point on a diffuse body lies inside the glass; a plane has none."""
-    for item in scene.objects:
-        if item is glass or not scene.material_of(item).is_diffuse:
-            continue
-        points = surface_points(place(item), place(glass))
-        if any(contains(glass, point) for point in points):
-            return True
-    return False
 
 
 def _rough_faces(scene: Scene, refusals: Refusals) -> Iterator[Diagnostic]:
