@@ -207,6 +207,24 @@ def test_shadow_rays_through_glass_count_its_light_twice():
     assert once.mean() == pytest.approx(0.8, rel=0.005)
 
 
+@pytest.mark.parametrize(
+    ("block", "deep"),
+    [("min: [-5, 1, -5], max: [5, 1.7, 5]", 0.7), ("min: [-5, -1, -5], max: [5, 1.7, 5]", 1.7)],
+    ids=["over the floor", "around the floor"],
+)
+def test_shadow_rays_through_glass_lose_what_it_absorbs(block, deep):
+    """Twice d t e^(-a l), t of the one or two faces that the light crosses: direct light, and the same by photons."""
+    text = UNDER_A_BALL.format(shadow="filter").replace("ior: 1}", "ior: 1, absorption_per_m: [0, 1, 2]}")
+    text = text.replace("sphere: {center: [0, 2, 0], radius: 1}", f"box: {{{block}}}").replace(
+        "[0, 0.9, 0]", "[0, 3, 0]"
+    )
+    text = text.replace("transmission: 1,", "transmission: 0.9,")
+    seen = picture(text, photons=100_000).mean(axis=(0, 1))
+    # The camera looks through the same glass. 1e5 stratified photons: half a percent of noise.
+    faces = 2 if deep < 1 else 1
+    assert seen == pytest.approx(2 * 0.8 * 0.81**faces * np.exp(-2 * deep * np.array([0, 1, 2])), rel=0.005)
+
+
 def test_constant_mirror_shares_are_not_fresnels():
     for incidence, share in ((0, 0.040), (60, 0.089), (80, 0.388), (89, 0.904)):
         way = down_at(incidence)

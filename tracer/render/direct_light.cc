@@ -1,5 +1,6 @@
 #include "render/direct_light.h"
 
+#include "material/sides.h"
 #include "optics/absorption.h"
 
 namespace vitrail {
@@ -7,18 +8,30 @@ namespace {
 
 constexpr int kMostFaces = 1000;
 
-// What glass lets through on the straight way to a light: the share of each face [O 1.1 row 16].
-Rgb filtered(const Scene& scene, const Intersector& intersector, Ray ray, Departures departures, double distance) {
+// What is left after a way in one medium.
+Rgb left_by(const Scene& scene, std::uint32_t medium, double distance) {
+  return medium == kAir ? Rgb{1, 1, 1} : transmittance(scene.material_of(medium).absorption_per_m, distance);
+}
+
+// What glass lets through on the straight way to a light: the share of each face [O 1.1 row 16], and what the media
+// between the faces leave.
+Rgb filtered(const Scene& scene, const Intersector& intersector, Ray ray, Departures departures, MediumSet media,
+             double distance) {
   Rgb left{1, 1, 1};
   double rest = distance * (1 - 0x1p-40);
   Hit hit;
   for (int face = 0; face < kMostFaces; ++face) {
-    if (!intersector.closest(ray, departures, hit) || hit.t >= rest) return left;
+    if (!intersector.closest(ray, departures, hit) || hit.t >= rest)
+      return left * left_by(scene, media.ruler(scene), rest);
+    Sides sides;
+    find_sides(scene, hit, media, sides);
+    left *= left_by(scene, sides.ruler_before, hit.t);
     for (const Crossing& crossing : hit.crossings) left *= scene.material_of(crossing.object).transmission;
-    if (is_black(left)) return left;
+    if (sides.opaque || is_black(left)) return {};
     rest -= hit.t;
     ray.origin = hit.point;
     departures = hit.through();
+    media = sides.after;
   }
   return {};
 }
@@ -26,17 +39,16 @@ Rgb filtered(const Scene& scene, const Intersector& intersector, Ray ray, Depart
 // The share of a light that reaches a point: what the medium leaves, nothing, or what the glass in between lets
 // through.
 Rgb reaching(const Scene& scene, const Intersector& intersector, const Ray& ray, const Departures& departures,
-             std::uint32_t medium, double distance) {
-  const Rgb absorption = medium == kAir ? Rgb{} : scene.material_of(medium).absorption_per_m;
+             const Around& around, double distance) {
   if (!scene.plan.shadow || !intersector.occluded(ray, departures, distance))
-    return transmittance(absorption, distance);
-  return scene.paper.shadow_filter ? filtered(scene, intersector, ray, departures, distance) : Rgb{};
+    return left_by(scene, around.ruler, distance);
+  return scene.paper.shadow_filter ? filtered(scene, intersector, ray, departures, around.media, distance) : Rgb{};
 }
 
 }  // namespace
 
 DirectLight direct_light(const Scene& scene, const Intersector& intersector, Vec3 point, Vec3 normal,
-                         const Departures& departures, std::uint32_t medium, LightDraw draw, int samples_per_light) {
+                         const Departures& departures, const Around& around, LightDraw draw, int samples_per_light) {
   DirectLight result;
   for (std::size_t l = 0; l < scene.lights.size(); ++l) {
     const Light& light = scene.lights[l];
@@ -51,7 +63,7 @@ DirectLight direct_light(const Scene& scene, const Intersector& intersector, Vec
       if (!(cosine > 0) || is_black(from.irradiance)) continue;
       if (scene.plan.shadow) ++result.shadow_rays;
       sum += from.irradiance * cosine *
-             reaching(scene, intersector, {point, from.toward}, departures, medium, from.distance);
+             reaching(scene, intersector, {point, from.toward}, departures, around, from.distance);
     }
     result.irradiance += samples == 1 ? sum : sum * (1.0 / samples);
   }

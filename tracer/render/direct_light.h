@@ -3,6 +3,7 @@
 
 #include "base/random.h"
 #include "geometry/accel.h"
+#include "geometry/medium_stack.h"
 #include "light/light.h"
 
 namespace vitrail {
@@ -13,15 +14,21 @@ struct LightDraw {
   std::uint32_t sample = 0;
 };
 
+/// The solids on the viewer's side of a surface, and the one whose medium rules there.
+struct Around {
+  const MediumSet& media;
+  std::uint32_t ruler = kAir;
+};
+
 struct DirectLight {
   Rgb irradiance;  // W/m2
   std::uint64_t shadow_rays = 0;
 };
 
 /// Irradiance on a surface at `point` whose unit normal faces the viewer. `departures` are those of light that leaves
-/// on the viewer's side, where `medium` rules; it absorbs on the way from a light that stands in it too. Lights with an
-/// extent are sampled `samples_per_light` times, the others once.
+/// on the viewer's side; the medium `around` that side absorbs on the way from a light that stands in it too. Lights
+/// with an extent are sampled `samples_per_light` times, the others once.
 DirectLight direct_light(const Scene& scene, const Intersector& intersector, Vec3 point, Vec3 normal,
-                         const Departures& departures, std::uint32_t medium, LightDraw draw, int samples_per_light);
+                         const Departures& departures, const Around& around, LightDraw draw, int samples_per_light);
 
 }  // namespace vitrail

@@ -32,7 +32,7 @@ Rgb gathered_radiance(const Scene& scene, const Intersector& intersector, const 
       const GatherQuery query{arrival.hit.point, event.facing_normal};
       const LightDraw light_draw{within(stream, 1), draw.sample};
       Rgb irradiance = direct_light(scene, intersector, query.position, query.normal, arrival.hit.back(),
-                                    event.medium_before, light_draw, 1)
+                                    {arrival.media, event.medium_before}, light_draw, 1)
                            .irradiance;
       irradiance += maps.caustic.irradiance(half, query);
       irradiance += map_irradiance(maps.indirect.half[half], query);

@@ -70,8 +70,9 @@ void CameraTracer::scatter(const Look& look, const Arrival& arrival, const Inter
   if (is_black(event.diffuse)) return;
 
   const Rgb reflected = seen * event.diffuse * (1 / M_PI);
-  const DirectLight light = direct_light(scene_, intersector_, arrival.hit.point, event.facing_normal,
-                                         arrival.hit.back(), event.medium_before, path_.draw, path_.light_samples);
+  const DirectLight light =
+      direct_light(scene_, intersector_, arrival.hit.point, event.facing_normal, arrival.hit.back(),
+                   {arrival.media, event.medium_before}, path_.draw, path_.light_samples);
   result.shadow_rays += light.shadow_rays;
   result.radiance[look.layer] += reflected * light.irradiance;
   result.radiance[Layer::indirect_light] += reflected * indirect(look, arrival, event);
