@@ -10,6 +10,7 @@ from tests.plan.small_scenes import FLOOR, ball_over_floor, make
 from vitrail.plan.analyse import analyse
 from vitrail.plan.budget import settings_for
 from vitrail.scene.load import load_text
+from vitrail.scene.model import Scene
 
 SPOT = "{name: spot, phenomenon: caustic, patch: {center: [0, 0, 0], u: [1, 0, 0], v: [0, 0, 1]}}"
 
@@ -43,8 +44,21 @@ def test_the_gather_radius_scales_exactly_with_the_scene(observe: bool, quality:
 
 def test_the_gather_radius_follows_the_smallest_caustic_patch() -> None:
     """Half diagonal of a patch of half edges 1: sqrt 2 / 120 = 0.01179, to three bits of mantissa 0.01172."""
-    scene = ball_over_floor(observe=(SPOT,))
+    scene = of_size(ball_over_floor(observe=(SPOT,)), 2048)
     assert settings_for(scene, analyse(scene)).gather_radius_m == 0.01171875
+
+
+def test_the_gather_radius_is_half_a_pixel_of_a_coarse_picture() -> None:
+    """Nothing finer shows; then a pixel needs no more samples than usual to find it."""
+    scene = of_size(ball_over_floor(observe=(SPOT,)), 64)
+    settings = settings_for(scene, analyse(scene))
+    pixel_m = 2 * 8 * math.tan(math.radians(20)) / 64
+    assert settings.gather_radius_m == pytest.approx(pixel_m / 2, rel=1 / 16)  # three bits of mantissa
+    assert settings.samples == 4
+
+
+def of_size(scene: Scene, pixels: int) -> Scene:
+    return scene.model_copy(update={"image": scene.image.model_copy(update={"width": pixels, "height": pixels})})
 
 
 def test_fewer_photons_gather_from_farther() -> None:

@@ -8,8 +8,8 @@ from typing import Literal, get_args
 
 from vitrail.plan.bounds import bounds_of, bounds_of_patch, extent_of
 from vitrail.plan.plan import Plan
-from vitrail.plan.sampling import samples_for
-from vitrail.scene.model import Scene
+from vitrail.plan.sampling import pixel_area_m2, samples_for
+from vitrail.scene.model import Patch, Scene
 from vitrail.scene.phenomenon import Phenomenon
 
 Quality = Literal["draft", "normal", "reference"]
@@ -19,6 +19,10 @@ ReferenceMode = Literal["auto", "native", "channels", "slices"]
 PATCH_SHARE = 1 / 120
 """Gather radius over the half diagonal of an observed caustic: a disc of that size blurs the steep centre of a ball
 lens (annuli of 1/24 of the patch) by 0.6 %, one twice as large by 2.2 %."""
+
+PIXEL_SHARE = 1 / 2
+"""Least gather radius over the edge of a pixel on the patch: what is finer no picture of that size shows, and a disc of a
+tenth of a pixel costs a hundred times the photons, and samples enough to find it, for the same noise."""
 
 OBJECT_SHARE = 1 / 40
 """Gather radius over the radius of the smallest glass that makes a caustic, where no patch says how fine to look."""
@@ -95,20 +99,25 @@ def settings_for(scene: Scene, plan: Plan, quality: Quality = "normal", **overri
 def gather_radius_m(scene: Scene, plan: Plan, photons: int) -> float:
     """The radius of the photon kernel, metres, with a short mantissa.
 
-    It follows from the smallest observed caustic patch, else from the smallest object that casts a caustic, else from
+    It follows from the smallest observed caustic patch and the pixels on it, else from the smallest object that casts a caustic, else from
     the scene. The mantissa is rounded to three bits: a scene scaled by 2^k gets exactly 2^k times the radius, and the
     number prints short.
     """
-    patches = [bounds_of_patch(item.patch) for item in scene.observe if item.phenomenon == Phenomenon.CAUSTIC]
+    patches = [item.patch for item in scene.observe if item.phenomenon == Phenomenon.CAUSTIC]
     casters = {path.specular for path in plan.caustic_paths}
     sizes = [bounds_of(item).radius_m for item in scene.objects if item.name in casters]
     if patches:
-        radius = min(patch.radius_m for patch in patches) * PATCH_SHARE
+        radius = min(_radius_on(scene, patch) for patch in patches)
     elif any(math.isfinite(size) for size in sizes):
         radius = min(sizes) * OBJECT_SHARE
     else:
         radius = extent_of(scene).radius_m * SCENE_SHARE
     return _short(radius * (USUAL_PHOTONS / max(photons, 1)) ** (1 / 6) if photons else radius)
+
+
+def _radius_on(scene: Scene, patch: Patch) -> float:
+    """The radius that shows a patch as fine as it, and the picture, can be seen."""
+    return max(bounds_of_patch(patch).radius_m * PATCH_SHARE, math.sqrt(pixel_area_m2(scene, patch)) * PIXEL_SHARE)
 
 
 def _short(value: float) -> float:

@@ -23,12 +23,12 @@ MOST = 32
 
 def samples_for(scene: Scene, gather_radius_m: float) -> int:
     """The least number of samples a pixel that resolves every observed caustic, at most ``MOST``; 1 without any."""
-    areas = [_pixel_area_m2(scene, item.patch) for item in scene.observe if item.phenomenon is Phenomenon.CAUSTIC]
+    areas = [pixel_area_m2(scene, item.patch) for item in scene.observe if item.phenomenon is Phenomenon.CAUSTIC]
     wanted = max((area / (SPACING * gather_radius_m) ** 2 for area in areas), default=1.0)
     return max(1, min(math.ceil(wanted), MOST))
 
 
-def _pixel_area_m2(scene: Scene, patch: Patch) -> float:
+def pixel_area_m2(scene: Scene, patch: Patch) -> float:
     """What a pixel covers on the plane of a patch, around its centre."""
     camera, image = scene.camera, scene.image
     depth = sight(camera, image, patch.center).depth_m

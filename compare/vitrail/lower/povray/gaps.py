@@ -1,7 +1,7 @@
 """Room between surfaces that touch: POV-Ray loses one of two faces nearer than 1e-4 units [P 7].
 
-A glass solid that touches another surface in a point or a line, or comes nearer than ``NEAR``, shrinks about its own
-middle until the gap is ``GAP``. Faces that lie on each other are a matter of ``contact``.
+A glass solid that touches another surface in a point or a line, or comes nearer than that, shrinks about its own middle
+until there is a ``Gap``. Faces that lie on each other are a matter of ``contact``.
 """
 
 from __future__ import annotations
@@ -20,10 +20,20 @@ from vitrail.scene.overlap import overlap
 from vitrail.scene.placement import Frame, Placed, place
 from vitrail.scene.vector import Vec, add, scale, subtract, unit
 
-NEAR = 1.2e-3
-"""Units below which a gap counts as a touch: more than the tolerance of shadow rays [P 7]."""
-GAP = 1.5e-3
-"""Units of air that a touch becomes."""
+
+@dataclass(frozen=True)
+class Gap:
+    """``near``: units below which surfaces count as touching; ``made``: units of air that a touch becomes."""
+
+    near: float
+    made: float
+
+
+FOR_LOOKS = Gap(near=1.1e-4, made=1.25e-4)
+"""Beside clear glass, which asks for no light itself: more than looks and photons ignore, 1e-4 [P 7]. A shadow ray that
+ignores the near face of such a solid is stopped by its far one."""
+FOR_SHADOWS = Gap(near=1.2e-3, made=1.5e-3)
+"""Beside glass that scatters too: its shadow rays would miss a sheet nearer than 1e-3 [P 7]."""
 
 
 @dataclass(frozen=True)
@@ -54,8 +64,10 @@ def with_gaps(scene: Scene, units: Normalisation, contacts: Collection[tuple[int
             for position, other in enumerate(scene.objects)
             if position != index and (index, position) not in contacts and apart(item, other)
         ]
-        if scene.material_of(item).is_transmissive and _touches_any(item, others, NEAR / units.scale):
-            depth = GAP / units.scale
+        material = scene.material_of(item)
+        gap = FOR_SHADOWS if material.is_diffuse else FOR_LOOKS
+        if material.is_transmissive and _touches_any(item, others, gap.near / units.scale):
+            depth = gap.made / units.scale
             inner = smaller(placed, depth)
             if inner is not None:
                 shrunk.append(Shrunk(index, depth, 2 * depth / thickness_of_placed(placed)))

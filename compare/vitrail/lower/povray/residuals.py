@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from vitrail.lower.povray.certificate import HALF_FLOAT, IMAGE, RELATIVE, Certificate, Entry, with_names
 from vitrail.lower.povray.contact import REACH, Grown
 from vitrail.lower.povray.depth import LIMIT, TraceDepth
-from vitrail.lower.povray.gaps import GAP, Shrunk
+from vitrail.lower.povray.gaps import Shrunk
 from vitrail.lower.povray.indices import Indices
 from vitrail.lower.povray.light_residuals import light_entries
 from vitrail.lower.povray.lights import Source
@@ -109,7 +109,7 @@ def _gaps(translation: Translation) -> Iterator[Entry]:
             f"a gap of {shrunk.depth_m:.3g} m",
             shrunk.share,
             RELATIVE,
-            f"POV-Ray loses one of two faces nearer than 1e-4 units; the solid shrinks by {GAP:g} units",
+            f"POV-Ray loses one of two faces nearer than 1e-4 units; the solid shrinks by that much all round",
         )
         yield from _other_way(translation, shrunk)
 
