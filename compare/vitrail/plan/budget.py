@@ -99,9 +99,9 @@ def settings_for(scene: Scene, plan: Plan, quality: Quality = "normal", **overri
 def gather_radius_m(scene: Scene, plan: Plan, photons: int) -> float:
     """The radius of the photon kernel, metres, with a short mantissa.
 
-    It follows from the smallest observed caustic patch and the pixels on it, else from the smallest object that casts a caustic, else from
-    the scene. The mantissa is rounded to three bits: a scene scaled by 2^k gets exactly 2^k times the radius, and the
-    number prints short.
+    It follows from the smallest observed caustic patch and the pixels on it, else from the smallest object that casts a
+    caustic, else from the scene. The mantissa is rounded to three bits: a scene scaled by 2^k gets exactly 2^k times
+    the radius, and the number prints short.
     """
     patches = [item.patch for item in scene.observe if item.phenomenon == Phenomenon.CAUSTIC]
     casters = {path.specular for path in plan.caustic_paths}
