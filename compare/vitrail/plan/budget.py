@@ -21,8 +21,8 @@ PATCH_SHARE = 1 / 120
 lens (annuli of 1/24 of the patch) by 0.6 %, one twice as large by 2.2 %."""
 
 PIXEL_SHARE = 1 / 2
-"""Least gather radius over the edge of a pixel on the patch: what is finer no picture of that size shows, and a disc of a
-tenth of a pixel costs a hundred times the photons, and samples enough to find it, for the same noise."""
+"""Least gather radius over the edge of a pixel on the patch: what is finer no picture of that size shows, and a disc of
+a tenth of a pixel costs a hundred times the photons, and samples enough to find it, for the same noise."""
 
 OBJECT_SHARE = 1 / 40
 """Gather radius over the radius of the smallest glass that makes a caustic, where no patch says how fine to look."""
