@@ -109,7 +109,7 @@ def _gaps(translation: Translation) -> Iterator[Entry]:
             f"a gap of {shrunk.depth_m:.3g} m",
             shrunk.share,
             RELATIVE,
-            f"POV-Ray loses one of two faces nearer than 1e-4 units; the solid shrinks by that much all round",
+            "POV-Ray loses one of two faces nearer than 1e-4 units; the solid shrinks by that much all round",
         )
         yield from _other_way(translation, shrunk)
 
