@@ -8,7 +8,7 @@ import pytest
 
 from tests.report.synthetic import write_run
 from vitrail.commands.finding import finding
-from vitrail.judge.comparison import ObservationResult, Verdict
+from vitrail.judge.comparison import Attribution, Cause, ObservationResult, Verdict
 
 
 @pytest.fixture(scope="module")
@@ -31,6 +31,13 @@ def test_doubt_says_what_would_end_it(unsure: ObservationResult, factor: float |
     (doubt, *_) = [each for each in unsure.comparisons if each.verdict is Verdict.INCONCLUSIVE]
     changed = doubt.model_copy(update={"sample_factor": factor, "attribution": None})
     assert finding(unsure, changed).endswith("]" + words)
+
+
+def test_engines_have_their_names_in_a_sentence(unsure: ObservationResult) -> None:
+    (doubt, *_) = [each for each in unsure.comparisons if each.verdict is Verdict.INCONCLUSIVE]
+    for engine, words in (("povray", "(model of POV-Ray: why)"), ("tracer", "(model of the tracer: why)")):
+        cause = Attribution(cause=Cause.MODEL, engine=engine, reason="why")
+        assert words in finding(unsure, doubt.model_copy(update={"attribution": cause}))
 
 
 def test_a_share_has_no_unit_and_a_length_has_metres(unsure: ObservationResult) -> None:

@@ -45,7 +45,7 @@ def test_a_whisker_over_the_tolerance_is_rounding_where_povray_rounds() -> None:
 def test_the_closed_form_says_who_is_wrong() -> None:
     found = causes(compared(BOTH, 1.3), compared(TRACER, 1.3), compared(POVRAY, 1.001))
     assert found[0] is not None and (found[0].cause, found[0].engine) == (Cause.MODEL, "tracer")
-    assert found[0].reason == "povray agrees with the closed forms and tracer does not"
+    assert found[0].reason == "POV-Ray agrees with the closed forms and the tracer does not"
     found = causes(compared(BOTH, 1.3), compared(TRACER, 1.001), compared(POVRAY, 0.7))
     assert found[0] is not None and found[0].engine == "povray"
     assert found[2] is not None and found[2].engine == "povray"

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from vitrail.judge.comparison import maker
+
 if TYPE_CHECKING:
     from vitrail.judge.comparison import Comparison, ObservationResult
 
@@ -20,7 +22,9 @@ def finding(observation: ObservationResult, comparison: Comparison) -> str:
         f"the difference lies in [{interval.low:.3g}, {interval.high:.3g}]"
     )
     cause = comparison.attribution
-    because = f" ({cause.cause.value}{f' of {cause.engine}' if cause.engine else ''}: {cause.reason})" if cause else ""
+    because = (
+        f" ({cause.cause.value}{f' of {maker(cause.engine)}' if cause.engine else ''}: {cause.reason})" if cause else ""
+    )
     return text + because + _remedy(comparison.sample_factor)
 
 

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from vitrail.judge.comparison import Attribution, Cause, Comparison, Pair, Verdict
+from vitrail.judge.comparison import Attribution, Cause, Comparison, Pair, Verdict, maker
 
 HALF_FLOAT_STEP = 2.0**-11
 """Largest relative rounding error of a half float, in which POV-Ray writes [P 6]."""
@@ -85,15 +85,12 @@ def _guilty(pair: Pair, family: Sequence[Comparison]) -> tuple[str | None, str]:
     wrong = [side for side, verdicts in truth.items() if Verdict.DEVIATES in verdicts]
     right = [side for side, verdicts in truth.items() if verdicts == {Verdict.AGREES}]
     if len(wrong) == 1 and right:
-        return wrong[0], f"{right[0]} agrees with the closed forms and {wrong[0]} does not"
+        return wrong[0], f"{maker(right[0])} agrees with the closed forms and {maker(wrong[0])} does not"
     if len(wrong) == 1:
-        return wrong[0], f"{wrong[0]} deviates from a closed form; {_other(pair, wrong[0])} has none to be held against"
+        other = pair.reference if wrong[0] == pair.candidate else pair.candidate
+        return wrong[0], f"{maker(wrong[0])} deviates from a closed form; {maker(other)} has none to be held against"
     if len(wrong) == 2:
         return None, "both deviate from the closed forms"
     if right:
         return None, "the closed forms of this observation do not see the difference"
     return None, "no closed form is known here, so neither engine is shown to be wrong"
-
-
-def _other(pair: Pair, side: str) -> str:
-    return pair.reference if side == pair.candidate else pair.candidate

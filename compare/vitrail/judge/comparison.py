@@ -50,6 +50,11 @@ class Pair(StrEnum):
         return self.value.split("-vs-")[1]
 
 
+def maker(side: str) -> str:
+    """The maker of an image, in the middle of a sentence."""
+    return "POV-Ray" if side == "povray" else f"the {side}"
+
+
 class Cause(StrEnum):
     """Where a deviation comes from."""
 
