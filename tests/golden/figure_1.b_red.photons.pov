@@ -41,7 +41,7 @@ polygon {
   texture { pigment { rgb 0.75 } finish { diffuse 1 } }
 }
 sphere {
-  <0.75, 0.6, 0.5>, 0.5985
+  <0.75, 0.6, 0.5>, 0.5998749999999999
   texture {
     average
     texture_map {
