@@ -33,8 +33,8 @@ FOR_LOOKS = Gap(near=1.1e-4, made=1.25e-4)
 """Beside clear glass, which asks for no light itself: more than looks and photons ignore, 1e-4 [P 7]. A shadow ray that
 ignores the near face of such a solid is stopped by its far one."""
 FOR_SHADOWS = Gap(near=1.2e-3, made=1.5e-3)
-"""Beside glass that scatters too: its shadow rays would miss a sheet nearer than 1e-3 [P 7]. A ball is so near to one in
-a few parts in a thousand of its shadow alone, and to shrink it moves all that is seen through it."""
+"""Beside glass that scatters too: its shadow rays would miss a sheet nearer than 1e-3 [P 7]. A ball is so near to one
+in a few parts in a thousand of its shadow alone, and to shrink it moves all that is seen through it."""
 
 
 @dataclass(frozen=True)
