@@ -52,7 +52,9 @@ def _judge(
     own = truth.tolerance(measured.pair.candidate) if truth is not None else None
     parts: Sequence[TolerancePart] = [own or rule.part(measured.ideal, observed.half_edge_m)]
     is_translated = "povray" in (measured.pair.candidate, measured.pair.reference)
-    stated = residual(observed.observation.phenomenon, float(measured.settings.get("whole_over_light", 1.0)))
+    # Rounding of the whole weighs more in a share of it; it does not move light from place to place.
+    whole_over_light = float(measured.settings.get("whole_over_light", 1.0)) if rule.kind == "relative" else 1.0
+    stated = residual(observed.observation.phenomenon, whole_over_light)
     widening = rule.widening(stated, measured.ideal, observed.half_edge_m) if is_translated else 0.0
     if widening > 0:
         phenomenon = observed.observation.phenomenon.value
