@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from tests.lower.povray.real_povray import Rendered, lowered, rendered, rendered_file, scene
+from tests.lower.povray.real_povray import LOOKING_DOWN, SUN, Rendered, lowered, rendered, rendered_file, scene
 from vitrail.lower.povray import NotTranslatable
 from vitrail.lower.povray.roughness import LEVELS, TILT_PER_AMPLITUDE, bumps_of
 from vitrail.scene.model import Ggx, Material
@@ -167,3 +167,16 @@ def test_a_card_inside_glass_is_refused_beside_radiosity() -> None:
     standing = objects.replace("[0, -2, 0]", "[0, -1, 0]").replace("center: [0, 0, 0], u", "center: [0, 4, 0], u")
     with pytest.raises(NotTranslatable, match=r":8:.* inside glass without the square"):
         lowered(scene(materials, standing, more="transport: {indirect: photons}"))
+
+
+@pytest.mark.parametrize(("roughness", "stated"), [("0", 0.0), ("0.3", 0.135), ("{ggx: 0.2}", 0.08)])
+def test_the_certificate_says_how_far_bumps_spread_a_caustic(roughness: str, stated: float) -> None:
+    text = scene(
+        f"floor: {{diffuse: 0.5}}\nfrost: {{transmission: 0.9, ior: 1.5, roughness: {roughness}}}",
+        "- {name: floor, plane: {point: [0, 0, 0], normal: [0, 1, 0]}, material: floor}\n"
+        "- {name: ball, sphere: {center: [0, 2, 0], radius: 0.5}, material: frost}\n",
+        SUN,
+        LOOKING_DOWN,
+    )
+    entries = lowered(text, photons=1000).certificate.of(Phenomenon.CAUSTIC)
+    assert sum(each.residual for each in entries if "bumps" in each.target_law) == pytest.approx(stated)
