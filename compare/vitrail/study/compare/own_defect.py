@@ -11,9 +11,8 @@ from vitrail.judge.reference_files import ReferencesError
 from vitrail.judge.thresholds import ThresholdError
 from vitrail.scene.diagnostic import SceneErrors
 from vitrail.scene.load import Loaded
-from vitrail.scene.print import scene_hash
 from vitrail.study.compare.request import Request
-from vitrail.study.compare.scene_run import reproduce
+from vitrail.study.compare.scene_run import ended, unjudged
 
 TRACEBACK = "traceback.txt"
 """The file beside a scene's results that says where the program failed."""
@@ -29,20 +28,9 @@ def is_own_defect(error: Exception) -> bool:
 
 def defective(loaded: Loaded, name: str, request: Request, error: Exception) -> SceneResult:
     """The record of a scene that met ``error``, whose traceback is written beside its results. Raises OSError."""
-    scene = loaded.scene
-    return SceneResult(
-        name=name,
-        title=scene.title,
-        source=str(loaded.path),
-        scene_hash=scene_hash(scene),
-        status=Status.DEFECT,
-        message=f"{_told(error)}; its traceback is in {keep_traceback(name, request, error)}, report it with the scene",
-        width=scene.image.width,
-        height=scene.image.height,
-        exposure_stops=scene.image.exposure_stops,
-        reproduce=reproduce(loaded.path, request.quality, request),
-        exit_code=0,
-    )
+    place = keep_traceback(name, request, error)
+    message = f"{_told(error)}; its traceback is in {place}, report it with the scene"
+    return ended(unjudged(loaded, name, request), Status.DEFECT, message)
 
 
 def unsearched(record: SceneResult, request: Request, error: Exception) -> str:

@@ -81,8 +81,8 @@ def ended(record: SceneResult, status: Status, message: str) -> SceneResult:
     return record.model_copy(update={"status": status, "message": message})
 
 
-def _record(loaded: Loaded, name: str, plan: Plan, settings: Settings, request: Request) -> SceneResult:
-    """What is known before anything is rendered."""
+def unjudged(loaded: Loaded, name: str, request: Request) -> SceneResult:
+    """What is known of a scene before anything is looked at; it waits for a status."""
     scene = loaded.scene
     return SceneResult(
         name=name,
@@ -93,12 +93,20 @@ def _record(loaded: Loaded, name: str, plan: Plan, settings: Settings, request: 
         width=scene.image.width,
         height=scene.image.height,
         exposure_stops=scene.image.exposure_stops,
-        plan=plan_records(plan),
-        settings=asdict(settings),
-        warnings=plan.warnings,
-        reproduce=reproduce(loaded.path, settings.quality, request),
+        reproduce=reproduce(loaded.path, request.quality, request),
         exit_code=0,
     )
+
+
+def _record(loaded: Loaded, name: str, plan: Plan, settings: Settings, request: Request) -> SceneResult:
+    """What is known before anything is rendered."""
+    planned = {
+        "plan": plan_records(plan),
+        "settings": asdict(settings),
+        "warnings": plan.warnings,
+        "reproduce": reproduce(loaded.path, settings.quality, request),
+    }
+    return unjudged(loaded, name, request).model_copy(update=planned)
 
 
 def _settings(loaded: Loaded, plan: Plan, stored: Stored | None, request: Request) -> Settings:
