@@ -89,3 +89,10 @@ def test_the_nearest_edge_of_a_pattern_is_taken():
     assert found == []
     stripes = patch_of(lambda u, v: (np.floor((u - 0.0625) / 0.25) % 2) + 0 * v)
     assert value_of(edge_place(stripes, None, CONTEXT), "edge_place.u") == pytest.approx(0.0625, abs=1e-4)
+
+
+def test_an_even_candidate_is_told_apart_from_a_displaced_one():
+    pattern = patch_of(lambda u, v: 1 + np.sin(9 * u) * np.sin(9 * v))
+    even = patch_of(lambda u, v: 0 * u * v + 1.0)
+    with pytest.raises(MetricError, match="candidate shows no pattern"):
+        displacement(even, pattern, Context())

@@ -34,6 +34,8 @@ def displacement(candidate: PatchSamples, reference: PatchSamples | None, contex
     texture = np.array([np.mean(np.diff(theirs, axis=axis) ** 2) if theirs.shape[axis] > 4 else 0.0 for axis in (0, 1)])
     if not texture.max() > (1e-6 * np.abs(theirs).max()) ** 2:
         raise MetricError("the patch shows no pattern; put a checker where the patch looks")
+    if not np.ptp(ours) > 1e-6 * np.abs(ours).max():
+        raise MetricError("the candidate shows no pattern on the patch; there is nothing to lay on the reference's")
     usable = texture > LEAST_TEXTURE * texture.max()
     moved = register(gaussian_filter(ours, SMOOTHING_CELLS), gaussian_filter(theirs, SMOOTHING_CELLS), usable)
     method = "least squares of a cubic-spline shift with gain and offset, started by phase correlation"
