@@ -11,8 +11,8 @@ import typer.main
 from pydantic import BaseModel
 
 from tests.architecture.source_tree import ROOT, project_files
+from vitrail.check.check import check_text
 from vitrail.commands.app import app
-from vitrail.scene.check import check_text
 from vitrail.scene.model import Scene
 
 

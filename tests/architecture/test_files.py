@@ -89,3 +89,16 @@ def test_nothing_depends_on_one_machine() -> None:
         text = (ROOT / path).read_text(encoding="utf-8", errors="replace")
         found += [f"{path}: {match.group()}" for match in MACHINE_PATH.finditer(text)]
     assert not found, "\n".join(found)
+
+
+CONFLICT = re.compile(r"^(<{7} |={7}$|>{7} )", re.MULTILINE)
+"""What a merge leaves behind where it could not decide."""
+
+
+def test_no_merge_conflict_was_committed() -> None:
+    found = []
+    for path in project_files():
+        text = (ROOT / path).read_bytes().decode("utf-8", errors="ignore")
+        if path.suffix not in {".png", ".exr", ".ply"} and CONFLICT.search(text):
+            found.append(str(path))
+    assert not found, f"resolve the conflict in {found}"

@@ -10,7 +10,7 @@ from typing import Any
 from ruamel.yaml import YAML
 
 from tests.architecture.source_tree import ROOT, TRACER, cpp_files
-from vitrail.scene.phenomenon import Phenomenon
+from vitrail.base.phenomenon import Phenomenon
 
 NAMES = [phenomenon.value for phenomenon in Phenomenon]
 
@@ -39,7 +39,7 @@ def test_the_tracer_knows_the_same_phenomena_in_the_same_order() -> None:
         assert words == [name for name in NAMES if name in words], (
             f"{path} lists what is no phenomenon, or out of order"
         )
-    assert NAMES in [words for _, words in lists], "no list under tracer/ has every phenomenon of scene/phenomenon.py"
+    assert NAMES in [words for _, words in lists], "no list under tracer/ has every phenomenon of base/phenomenon.py"
 
 
 def test_the_schemas_list_the_same_phenomena() -> None:

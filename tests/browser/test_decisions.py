@@ -10,7 +10,7 @@ import numpy as np
 from tests.browser.conftest import Watched
 from tests.end_to_end.test_command_line import CARD, ROOT, vitrail
 from vitrail.images.exr import read_image, write_image
-from vitrail.study.compare.accept import decisions_of
+from vitrail.pipeline.accept import decisions_of
 
 
 def test_decisions_outlive_the_page_and_are_exported(watched: Watched, report: Path, tmp_path: Path) -> None:

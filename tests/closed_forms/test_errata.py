@@ -10,7 +10,7 @@ import pytest
 from tests.closed_forms.one_ray import HEAD, angle_between, before, direction_of, down_at, events, follow, turn
 from tests.closed_forms.small_picture import picture
 from vitrail.lower.povray.lower import lower_povray
-from vitrail.lower.povray.refusal import NotTranslatable
+from vitrail.lower.povray.refusals.refusal import NotTranslatable
 from vitrail.plan.analyse import analyse
 from vitrail.plan.budget import settings_for
 from vitrail.scene.diagnostic import SceneErrors

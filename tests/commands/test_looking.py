@@ -12,11 +12,11 @@ import numpy as np
 import pytest
 
 from tests.commands.command_line import ROOT, SCENE, files_in, run
+from vitrail.base.phenomenon import Phenomenon
 from vitrail.commands.app import VERBS, Verbs
 from vitrail.commands.exit_code import DEFECT, ENGINE_FAILED, INTERRUPTED, NOT_TRANSLATABLE, SCENE_ERROR
 from vitrail.images.exr import write_image
 from vitrail.judge import exit_code as verdict_codes
-from vitrail.scene.phenomenon import Phenomenon
 
 ALL_SCENES = sorted((ROOT / "scenes").glob("*/*.yaml"))
 
@@ -60,7 +60,7 @@ def test_check_says_that_a_scene_is_good() -> None:
 
 
 def test_check_reports_all_files_and_fails_if_one_is_wrong() -> None:
-    wrong = sorted((ROOT / "tests" / "scene" / "malformed").glob("*.yaml"))[0]
+    wrong = sorted((ROOT / "tests" / "malformed").glob("*.yaml"))[0]
     result = run("check", SCENE, wrong, "--json")
     assert result.exit_code == 2
     good, bad = json.loads(result.stdout)

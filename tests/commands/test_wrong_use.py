@@ -13,7 +13,7 @@ from vitrail.commands.app import main
 from vitrail.commands.exit_code import exit_codes
 from vitrail.engines.povray_result import write_sky
 
-MALFORMED = sorted((ROOT / "tests" / "scene" / "malformed").glob("*.yaml"))
+MALFORMED = sorted((ROOT / "tests" / "malformed").glob("*.yaml"))
 WRITING_VERBS = {
     "render": lambda scene, out: ("render", scene, "--out", out / "image.exr"),
     "emit tracer": lambda scene, out: ("emit", "tracer", scene, "--out", out),
@@ -143,7 +143,7 @@ def test_an_unknown_verb_names_the_nearest() -> None:
 
 @pytest.mark.parametrize("verb", PRINTING_VERBS)
 def test_a_sky_that_is_none_is_a_wrong_scene(verb: str, tmp_path: Path) -> None:
-    text = (ROOT / "tests" / "scene" / "malformed" / "environment_missing.yaml").read_text(encoding="utf-8")
+    text = (ROOT / "tests" / "malformed" / "environment_missing.yaml").read_text(encoding="utf-8")
     (tmp_path / "scene.yaml").write_text(text, encoding="utf-8")
     (tmp_path / "sky.exr").write_text("a sky", encoding="utf-8")
     result = run(*PRINTING_VERBS[verb](tmp_path / "scene.yaml"))

@@ -7,14 +7,14 @@ from pathlib import Path
 
 import pytest
 
+from vitrail.check.check import check_file
 from vitrail.engines.base import EngineFailure
 from vitrail.engines.povray import Povray
 from vitrail.engines.tracer import Tracer
 from vitrail.judge.records import Results
+from vitrail.pipeline.request import Request
+from vitrail.pipeline.suite import compare
 from vitrail.report.build import build_report
-from vitrail.scene.check import check_file
-from vitrail.study.compare.request import Request
-from vitrail.study.compare.suite import compare
 
 ROOT = Path(__file__).parents[2]
 REFERENCES = ROOT / "references"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from tests.end_to_end.conftest import Compare
 from vitrail.judge.comparison import Verdict
-from vitrail.study.compare.conformance import SCENES, conformance_scenes
+from vitrail.pipeline.conformance import SCENES, conformance_scenes
 
 
 def test_both_engines_agree_with_the_closed_forms_of_the_conformance_scenes(compared: Compare) -> None:

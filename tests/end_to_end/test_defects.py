@@ -7,10 +7,10 @@ from pathlib import Path
 import pytest
 
 from tests.end_to_end.conftest import ROOT, Compare
+from vitrail.base.phenomenon import Phenomenon
 from vitrail.judge.comparison import Outcome, Verdict
 from vitrail.judge.records import Results
-from vitrail.scene.phenomenon import Phenomenon
-from vitrail.study.compare.defects import DEFECTS
+from vitrail.pipeline.defects import DEFECTS
 
 CALIBRATION = ROOT / "scenes" / "calibration"
 

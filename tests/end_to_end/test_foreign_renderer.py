@@ -18,11 +18,11 @@ from vitrail.judge.comparison import Verdict
 from vitrail.judge.records import Results, SceneResult, Status
 from vitrail.judge.reference_files import ReferencesError
 from vitrail.lower.tracer import lower_tracer
+from vitrail.pipeline.conformance import conformance_scenes
+from vitrail.pipeline.score import score
 from vitrail.plan.analyse import analyse
 from vitrail.plan.budget import settings_for
 from vitrail.scene.load import Loaded, load
-from vitrail.study.compare.conformance import conformance_scenes
-from vitrail.study.compare.score import score
 
 CARD = ROOT / "scenes" / "calibration" / "grey_card_point.yaml"
 

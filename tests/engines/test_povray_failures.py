@@ -19,7 +19,7 @@ from vitrail.engines.povray import Povray
 from vitrail.engines.povray_output import statistics_of
 from vitrail.engines.povray_result import Execution, Outcome, PhotonCensus
 from vitrail.lower.povray import PovrayScene
-from vitrail.lower.povray.sky import SkyPicture
+from vitrail.lower.povray.text.sky import SkyPicture
 
 Fake = Callable[[str], str]
 

@@ -11,13 +11,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from vitrail.check.check import check_file
 from vitrail.engines.tracer import Tracer
 from vitrail.images.exr import ImageLayers, read_image
 from vitrail.lower.tracer import lower_tracer
 from vitrail.plan.analyse import analyse, everything
 from vitrail.plan.budget import settings_for
 from vitrail.plan.plan import Plan
-from vitrail.scene.check import check_file
 from vitrail.scene.load import load_text
 from vitrail.scene.model import Image, Scene
 

@@ -9,8 +9,9 @@ import numpy as np
 import OpenImageIO as oiio
 import pytest
 
+from vitrail.check.check import check_file
 from vitrail.images.exr import write_image, write_png
-from vitrail.images.sky import check_file_and_skies, read_sky
+from vitrail.images.sky import read_sky
 
 SCENE = """
 vitrail: 1
@@ -66,7 +67,7 @@ def picture(path: Path) -> None:
 def test_what_is_no_sky_is_refused_at_its_line(tmp_path: Path, write, words: str) -> None:
     write(tmp_path / "sky.exr")
     (tmp_path / "scene.yaml").write_text(SCENE)
-    result = check_file_and_skies(tmp_path / "scene.yaml")
+    result = check_file(tmp_path / "scene.yaml")
     assert not result.is_valid
     (error,) = result.errors
     assert str(error).startswith(f"{tmp_path}/scene.yaml:8:") and words in str(error)
@@ -76,5 +77,5 @@ def test_a_sky_is_read_as_it_is(tmp_path: Path) -> None:
     pixels = np.random.default_rng(1).random((4, 8, 3)).astype(np.float32)
     write_image(tmp_path / "sky.exr", pixels)
     (tmp_path / "scene.yaml").write_text(SCENE)
-    assert check_file_and_skies(tmp_path / "scene.yaml").is_valid
+    assert check_file(tmp_path / "scene.yaml").is_valid
     assert np.array_equal(read_sky(tmp_path / "sky.exr"), pixels)

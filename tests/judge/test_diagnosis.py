@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from vitrail.base.phenomenon import Phenomenon
 from vitrail.judge.comparison import (
     Attribution,
     Cause,
@@ -14,7 +15,6 @@ from vitrail.judge.comparison import (
 )
 from vitrail.judge.diagnosis import BASIC_FIRST, diagnose
 from vitrail.judge.records import PlanEntry, SceneResult, Status
-from vitrail.scene.phenomenon import Phenomenon
 
 P = Phenomenon
 PATCH = PatchRecord(center=(0, 0, 0), u=(1, 0, 0), v=(0, 0, 1))

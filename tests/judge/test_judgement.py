@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from vitrail.base.phenomenon import Phenomenon
 from vitrail.judge.comparison import ObservationResult, Pair, PatchRecord, Verdict
 from vitrail.judge.judgement import judge_observation
 from vitrail.judge.observe import Observed
@@ -11,7 +12,6 @@ from vitrail.judge.references import Truth
 from vitrail.judge.thresholds import Rule, Thresholds
 from vitrail.judge.verdict import Measured, Noise
 from vitrail.scene.model import Observation, Patch
-from vitrail.scene.phenomenon import Phenomenon
 
 RULES = Thresholds(0.01, {"flux": Rule("relative", 0.01, "for this test")}, {}, {})
 PATCH = Patch(center=(0, 0, 0), u=(1, 0, 0), v=(0, 0, 1))

@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
+from vitrail.base.phenomenon import Phenomenon
 from vitrail.judge.reference_files import ReferencesError
 from vitrail.judge.thresholds import Rule, ThresholdError, read_thresholds
-from vitrail.scene.phenomenon import Phenomenon
 
 ROOT = Path(__file__).parents[2]
 PUBLISHED = ROOT / "references" / "thresholds.yaml"

@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from vitrail.base.phenomenon import Phenomenon
 from vitrail.judge.comparison import (
     LayerShare,
     ObservationResult,
@@ -20,7 +21,6 @@ from vitrail.judge.patch_light import PatchLight, is_too_weak, layer_shares
 from vitrail.judge.verdict import Measured, Noise, decide, overall
 from vitrail.judge.whereabouts import Switched, whereabouts
 from vitrail.metrics.measurement import Interval, Measurement
-from vitrail.scene.phenomenon import Phenomenon
 
 P = Phenomenon
 LEVEL = 0.99

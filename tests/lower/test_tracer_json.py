@@ -8,12 +8,12 @@ from pathlib import Path
 
 import pytest
 
-from vitrail.lower.canonical_json import canonical_json
+from vitrail.base.canonical_json import canonical_json
+from vitrail.check.check import check_file
 from vitrail.lower.tracer import lower_tracer
 from vitrail.optics.glass import glass_named
 from vitrail.plan.analyse import analyse, everything
 from vitrail.plan.budget import settings_for
-from vitrail.scene.check import check_file
 from vitrail.scene.print import scene_hash
 
 GOLDEN = Path(__file__).parents[1] / "golden"

@@ -8,13 +8,13 @@ import pytest
 from scipy import ndimage, stats
 
 from tests.metrics.synthetic import noisy, patch_of, spot, value_of
+from vitrail.base.phenomenon import Phenomenon
 from vitrail.metrics.by_phenomenon import BY_PHENOMENON, measure, measure_with_intervals
 from vitrail.metrics.caustic import caustic_centroid, caustic_flux, caustic_radii, profile_correlation
 from vitrail.metrics.measurement import Context, Interval, MetricError
 from vitrail.metrics.noise import METHOD, noise_floor, with_interval
 from vitrail.metrics.noise_model import learn_noise
 from vitrail.metrics.radiance import mean_radiance
-from vitrail.scene.phenomenon import Phenomenon
 
 CONTEXT = Context(background=(0.0, 0.0, 0.0))
 TRIALS = 100

@@ -7,13 +7,13 @@ from typing import Any
 import pytest
 
 from tests.plan.small_scenes import FLOOR, ball_over_floor, make
+from vitrail.base.phenomenon import Phenomenon
 from vitrail.lower.tracer import lower_tracer
 from vitrail.plan.ablation import Ablation, ablations
 from vitrail.plan.analyse import analyse
 from vitrail.plan.budget import settings_for
 from vitrail.scene.load import load_text
 from vitrail.scene.model import Scene
-from vitrail.scene.phenomenon import Phenomenon
 from vitrail.scene.print import print_scene
 
 P = Phenomenon

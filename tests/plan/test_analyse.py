@@ -5,10 +5,10 @@ from __future__ import annotations
 import pytest
 
 from tests.plan.small_scenes import BALL, FLOOR, ball_over_floor, make
+from vitrail.base.phenomenon import Phenomenon as P
 from vitrail.plan.analyse import analyse, everything
 from vitrail.plan.plan import Plan
 from vitrail.scene.model import Scene
-from vitrail.scene.phenomenon import Phenomenon as P
 
 AWAY = "{position: [0, 8, 0], look_at: [0, 16, 0], up: [0, 0, -1], fov_deg: 40}"
 

@@ -8,8 +8,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.plan.small_scenes import FLOOR, SUN, ball_over_floor, make
+from vitrail.geometry.inside import depth_in
 from vitrail.plan.occlusion import may_shadow
-from vitrail.scene.inside import depth_in
 
 coordinate = st.floats(-4, 4).map(lambda value: round(value, 2))
 point = st.tuples(coordinate, coordinate, coordinate)

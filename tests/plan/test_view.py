@@ -7,8 +7,8 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
+from vitrail.geometry.bounds import Bounds
 from vitrail.images.view import View as Projection
-from vitrail.plan.bounds import Bounds
 from vitrail.plan.view import plane_hits, view_of
 from vitrail.scene.model import Camera, Image, Plane
 

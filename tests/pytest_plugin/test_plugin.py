@@ -11,7 +11,7 @@ from xml.etree import ElementTree
 
 import pytest
 
-from tests.study.compare.doubles import CARD
+from tests.pipeline.doubles import CARD
 
 ROOT = Path(__file__).parents[2]
 RULES = (ROOT / "references" / "thresholds.yaml").read_text()

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
+from vitrail.base.phenomenon import Phenomenon
 from vitrail.images.display import Display
 from vitrail.images.exr import write_image, write_png
 from vitrail.judge.comparison import (
@@ -40,7 +41,6 @@ from vitrail.judge.records import (
     write_results,
 )
 from vitrail.judge.verdict import Measured, Noise, decide, overall
-from vitrail.scene.phenomenon import Phenomenon
 
 WIDTH, HEIGHT = 96, 64
 OUTLINE = ((24.0, 36.0), (72.0, 36.0), (72.0, 60.0), (24.0, 60.0))

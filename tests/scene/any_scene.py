@@ -6,8 +6,8 @@ from typing import Any, get_args
 
 from hypothesis import strategies as st
 
+from vitrail.base.phenomenon import Phenomenon
 from vitrail.scene import model
-from vitrail.scene.phenomenon import Phenomenon
 
 numbers = st.floats(-1e6, 1e6, allow_nan=False).map(lambda value: value + 0.0)
 positive = st.floats(1e-6, 1e6)

@@ -12,7 +12,7 @@ from vitrail.scene.schema import SCHEMA_FILE, scene_schema, schema_text
 from vitrail.scene.yaml_tree import YamlProblem, read_yaml
 
 VALIDATOR = jsonschema.Draft202012Validator(scene_schema())
-MALFORMED = Path(__file__).parent / "malformed"
+MALFORMED = Path(__file__).parents[1] / "malformed"
 
 
 def data_of(path: Path) -> Any:

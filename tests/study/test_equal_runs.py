@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.study.compare.doubles import CARD, FormulaEngine
+from tests.pipeline.doubles import CARD, FormulaEngine
 from vitrail.engines.base import Rendering
 from vitrail.images.exr import write_image
 from vitrail.scene.load import load

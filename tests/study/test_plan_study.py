@@ -7,12 +7,12 @@ from pathlib import Path
 
 import pytest
 
+from vitrail.base.phenomenon import Phenomenon
+from vitrail.pipeline.task import Row
+from vitrail.pipeline.task_log import read_rows
 from vitrail.plan.analyse import analyse
 from vitrail.report.plans_page import write_plans_page
 from vitrail.scene.load import load
-from vitrail.scene.phenomenon import Phenomenon
-from vitrail.study.task import Row
-from vitrail.study.task_log import read_rows
 from vitrail.study.tradeoff.plan_study import analyse_plans, run_plan_study
 from vitrail.study.tradeoff.removal import HOW, without
 

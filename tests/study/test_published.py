@@ -8,9 +8,9 @@ from typing import Any
 
 import pytest
 
+from vitrail.pipeline.task_log import read_rows
 from vitrail.report.atlas_page import finding, reason_lines, table_lines
 from vitrail.study.extremes.atlas import AXES
-from vitrail.study.task_log import read_rows
 from vitrail.study.tradeoff.analysis import analyse_rows
 from vitrail.study.tradeoff.plan_study import analyse_plans
 

@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from vitrail.study.task import Row
+from vitrail.pipeline.task import Row
 from vitrail.study.tradeoff.analysis import TARGETS, analyse_rows
 from vitrail.study.tradeoff.sentence import sentence
 

@@ -11,9 +11,9 @@ import pytest
 import typer
 
 from vitrail.commands.tradeoff import _aim
+from vitrail.pipeline.task import Row
 from vitrail.report.tradeoff_page import write_tradeoff_page
 from vitrail.scene.load import load
-from vitrail.study.task import Row
 from vitrail.study.tradeoff.analysis import analyse_rows
 from vitrail.study.tradeoff.measure import Measure
 from vitrail.study.tradeoff.predict import FRESH_SEEDS, Aim, predict, prediction_line

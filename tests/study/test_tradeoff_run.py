@@ -9,9 +9,9 @@ import pytest
 from typer.testing import CliRunner
 
 from vitrail.commands.tradeoff import tradeoff
+from vitrail.pipeline.task_log import read_rows
 from vitrail.plan.analyse import analyse
 from vitrail.scene.load import load
-from vitrail.study.task_log import read_rows
 from vitrail.study.tradeoff.knobs import matrix
 
 SCENES = Path(__file__).resolve().parents[2] / "scenes" / "calibration"

@@ -15,8 +15,8 @@ from vitrail.commands.exit_code import exit_codes, usage_error
 from vitrail.commands.settings_options import QUALITY, SETTINGS
 
 if TYPE_CHECKING:
+    from vitrail.pipeline.accept import Proposal
     from vitrail.scene.load import Loaded
-    from vitrail.study.compare.accept import Proposal
 
 
 def bless(
@@ -62,7 +62,7 @@ def _rendered(
     from vitrail.engines.tracer import Tracer
     from vitrail.judge.reference_files import ReferencesError
     from vitrail.judge.references import references_folder
-    from vitrail.study.compare.accept import has_usable, propose_rendering, recipe_of
+    from vitrail.pipeline.accept import has_usable, propose_rendering, recipe_of
 
     overrides = overrides_of(loaded, quality, settings)
     for each in loaded:
@@ -95,7 +95,7 @@ def _taken(source: Path, because: str, references: Path | None) -> Iterator[Prop
     """The images of a finished comparison: those that agree with one reason, or those that a reader accepted."""
     from vitrail.commands.scene_file import read_scene
     from vitrail.judge.references import references_folder
-    from vitrail.study.compare.accept import decisions_of, propose_from_run
+    from vitrail.pipeline.accept import decisions_of, propose_from_run
 
     if source.is_dir():
         run, accepted = source, None

@@ -49,9 +49,9 @@ def compare(
 ) -> None:
     """Load, plan, lower, render, measure, judge, report."""
     with exit_codes(), reference_errors():
+        from vitrail.pipeline.request import Request
+        from vitrail.pipeline.suite import compare as compare_scenes
         from vitrail.report.build import build_report
-        from vitrail.study.compare.request import Request
-        from vitrail.study.compare.suite import compare as compare_scenes
 
         loaded = load_all(scenes)
         request = Request(

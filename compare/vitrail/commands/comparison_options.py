@@ -13,9 +13,9 @@ import typer
 from vitrail.commands.exit_code import usage_error
 
 if TYPE_CHECKING:
+    from vitrail.pipeline.request import Defect
     from vitrail.scene.diagnostic import Diagnostic
     from vitrail.scene.load import Loaded
-    from vitrail.study.compare.request import Defect
 
 Watch = Callable[[str, str, float, float], None]
 
@@ -63,8 +63,8 @@ def overrides_of(loaded: Sequence[Loaded], quality: str, assignments: Sequence[s
 
 def defect_named(name: str) -> Defect:
     """A known mistake by its name; the empty name is none."""
-    from vitrail.study.compare.defects import DEFECTS
-    from vitrail.study.compare.request import Defect
+    from vitrail.pipeline.defects import DEFECTS
+    from vitrail.pipeline.request import Defect
 
     if name and name not in DEFECTS:
         raise usage_error(f"--inject-defect {name}: there is no such defect; the known ones are {', '.join(DEFECTS)}")

@@ -44,8 +44,8 @@ def emit(
 
 def emitted(engine: EngineName, path: Path, quality: str, assignments: list[str]) -> dict[str, str | np.ndarray]:
     """File name to text, or to the pixels of a sky; all made before the first is written."""
+    from vitrail.base.canonical_json import canonical_json
     from vitrail.commands.scene_file import read_scene
-    from vitrail.lower.canonical_json import canonical_json
     from vitrail.lower.tracer import lower_tracer
     from vitrail.plan.analyse import analyse
 

@@ -12,7 +12,7 @@ from vitrail.commands.output import print_json, wide_console
 from vitrail.commands.settings_options import QUALITY, SETTINGS, parse_settings
 
 if TYPE_CHECKING:
-    from vitrail.lower.povray.certificate import Certificate, Entry
+    from vitrail.lower.povray.certificate.certificate import Certificate, Entry
 
 
 def explain(

@@ -102,9 +102,9 @@ def _say_files(record: dict[str, Any], out: Path, loaded: Loaded, png: bool, as_
 
 def _rendered(engine: EngineName, loaded: Loaded, plan: Plan, settings: Settings, threads: int, out: Path) -> Rendering:
     """Render into a folder beside the image, then move image and record to their names."""
+    from vitrail.base.canonical_json import canonical_json
     from vitrail.commands.progress_bar import progress_bar
     from vitrail.engines.base import Rendering
-    from vitrail.lower.canonical_json import canonical_json
 
     out.parent.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=out.parent, prefix=f".{out.stem}-") as work, progress_bar(out.stem) as show:

@@ -15,11 +15,11 @@ from vitrail.commands.exit_code import INCONCLUSIVE, INTERRUPTED, usage_error
 from vitrail.commands.target_error import parse_target_error
 
 if TYPE_CHECKING:
+    from vitrail.pipeline.passes.run import Finished, Look
+    from vitrail.pipeline.passes.stop import Wish
     from vitrail.plan.budget import Settings
     from vitrail.plan.plan import Plan
     from vitrail.scene.load import Loaded
-    from vitrail.study.passes.run import Finished, Look
-    from vitrail.study.passes.stop import Wish
 
 PASSES = typer.Option(None, "--passes", min=1, help="Make so many independent passes and average them.")
 BUDGET_S = typer.Option(None, "--budget-s", min=0, help="Make passes for so many CPU seconds.")
@@ -55,10 +55,10 @@ def render_passes(
     from vitrail.judge.references import read_scene_truth, references_folder
     from vitrail.judge.thresholds import thresholds_of
     from vitrail.lower.tracer import lower_tracer
-    from vitrail.study.passes.checkpoint import CheckpointError, checkpoint_path
-    from vitrail.study.passes.interrupt import patient_interrupt
-    from vitrail.study.passes.run import Job, run_passes
-    from vitrail.study.passes.schedule import pass_settings
+    from vitrail.pipeline.passes.checkpoint import CheckpointError, checkpoint_path
+    from vitrail.pipeline.passes.interrupt import patient_interrupt
+    from vitrail.pipeline.passes.run import Job, run_passes
+    from vitrail.pipeline.passes.schedule import pass_settings
 
     wish = _wish(loaded, options)
     try:
@@ -85,7 +85,7 @@ def render_passes(
 
 
 def _wish(loaded: Loaded, options: PassOptions) -> Wish:
-    from vitrail.study.passes.stop import Target, Wish
+    from vitrail.pipeline.passes.stop import Target, Wish
 
     observed = [entry.phenomenon.value for entry in loaded.scene.observe]
     remedy = "name one of them, or add an entry to `observe` that says where to look for it (scenes/README.md)"
@@ -112,7 +112,7 @@ def _known(target, errors) -> str:  # type: ignore[no-untyped-def]
 
 def _exit_code(done: Finished, wish: Wish) -> int:
     """130 after Ctrl-C, 5 where an error was wanted and something else ended the passes before."""
-    from vitrail.study.passes.stop import Reason
+    from vitrail.pipeline.passes.stop import Reason
 
     if done.reason is Reason.INTERRUPTED:
         return INTERRUPTED

@@ -22,7 +22,7 @@ def read_scene(path: Path) -> Loaded:
 
 def read_and_check(path: Path) -> tuple[Loaded, tuple[Diagnostic, ...]]:
     """A scene and its warnings; raises SceneErrors with every error of the file and of its cross checks."""
-    from vitrail.images.sky import check_file_and_skies
+    from vitrail.check.check import check_file
 
-    result = check_file_and_skies(path)
+    result = check_file(path)
     return result.scene_or_raise(), result.warnings

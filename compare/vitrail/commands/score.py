@@ -30,8 +30,8 @@ def score(
     """Gates, measure, judge, report."""
     with exit_codes(), reference_errors():
         from vitrail.commands.scene_file import read_scene
+        from vitrail.pipeline.score import score as score_images
         from vitrail.report.build import build_report
-        from vitrail.study.compare.score import score as score_images
 
         loaded = read_scene(scene)
         files = {"candidate": candidate} | ({"reference": reference} if reference else {})

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from vitrail.commands.progress_bar import progress_bar
 
 if TYPE_CHECKING:
-    from vitrail.study.queue import Progress
+    from vitrail.pipeline.queue import Progress
 
 
 @contextmanager

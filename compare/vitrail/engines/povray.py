@@ -21,8 +21,8 @@ from vitrail.engines.povray_output import complaint_of, progress_of, statistics_
 from vitrail.engines.povray_result import Execution, Outcome, PhotonCensus, write_result
 from vitrail.images.exr import ImageError, read_image, write_image
 from vitrail.lower.povray import PovrayRun, PovrayScene
-from vitrail.lower.povray.photons import PHOTON_FILE
-from vitrail.lower.povray.sky import SkyPicture
+from vitrail.lower.povray.photons.photons import PHOTON_FILE
+from vitrail.lower.povray.text.sky import SkyPicture
 
 OLDEST = (3, 7)
 TIMEOUT_S = 3600.0

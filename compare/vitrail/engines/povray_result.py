@@ -11,11 +11,11 @@ from typing import Any
 
 import numpy as np
 
+from vitrail.base.canonical_json import canonical_json
 from vitrail.engines.base import Rendering
 from vitrail.engines.child import Finished
 from vitrail.engines.povray_output import Statistics
 from vitrail.images.exr import write_image
-from vitrail.lower.canonical_json import canonical_json
 from vitrail.lower.povray import PovrayRun, PovrayScene
 
 

@@ -11,9 +11,9 @@ from pathlib import Path
 from typing import Any
 
 import vitrail
+from vitrail.base.canonical_json import canonical_json
 from vitrail.engines.base import EngineFailure, Progress, Rendering, silent
 from vitrail.engines.child import GIBIBYTE, Finished, Limits, run_child
-from vitrail.lower.canonical_json import canonical_json
 
 PROGRAM = "vitrail-tracer"
 BAD_INPUT, INTERRUPTED = 2, 130

@@ -12,7 +12,7 @@ from typing import Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
-from vitrail.scene.phenomenon import Phenomenon
+from vitrail.base.phenomenon import Phenomenon
 
 
 class Record(BaseModel):

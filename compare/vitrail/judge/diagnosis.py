@@ -11,9 +11,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
+from vitrail.base.phenomenon import Phenomenon
 from vitrail.judge.comparison import Cause, ObservationResult, Verdict
 from vitrail.judge.records import SceneResult
-from vitrail.scene.phenomenon import Phenomenon
 
 BASIC_FIRST = (
     Phenomenon.DIFFUSION,

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
+from vitrail.base.phenomenon import Phenomenon
 from vitrail.judge.attribution import attribute, headline
 from vitrail.judge.comparison import Comparison, ObservationResult, TolerancePart, Verdict
 from vitrail.judge.observe import Observed
 from vitrail.judge.references import Truth
 from vitrail.judge.thresholds import Rule, Thresholds
 from vitrail.judge.verdict import Measured, decide, overall
-from vitrail.scene.phenomenon import Phenomenon
 
 Residual = Callable[[Phenomenon, float], float]
 """The certificate's relative bound for a phenomenon; the number says how much larger the whole is than the light."""

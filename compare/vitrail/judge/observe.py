@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from vitrail.base.phenomenon import Phenomenon
 from vitrail.images.exr import ImageLayers
 from vitrail.images.patch import PatchGrid, PatchSamples, make_grid, sample_patch
 from vitrail.images.view import View
@@ -24,7 +25,6 @@ from vitrail.metrics.by_phenomenon import measure, measure_with_intervals
 from vitrail.metrics.measurement import Context, Measurement, MetricError
 from vitrail.metrics.smoothing import smoothed_again
 from vitrail.scene.model import Observation, Scene
-from vitrail.scene.phenomenon import Phenomenon
 
 UNSEEN = 0.5
 """Below this share of a patch in the frame, its numbers are about something else than the scene says."""

@@ -7,12 +7,12 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from vitrail.base.phenomenon import Phenomenon
 from vitrail.images.patch import PatchSamples
 from vitrail.judge.comparison import LayerShare
 from vitrail.metrics.measurement import CHANNELS, Context, Interval, Measurement
 from vitrail.metrics.noise import with_interval
 from vitrail.metrics.radiance import mean_difference, patch_mean
-from vitrail.scene.phenomenon import Phenomenon
 
 TOO_WEAK = 1.25
 """An excess above all of a light by a quarter: rounding and the tolerances of both engines are far below that."""

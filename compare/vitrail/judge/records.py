@@ -15,8 +15,8 @@ from typing import Any, Literal
 
 from pydantic import Field
 
+from vitrail.base.phenomenon import Phenomenon
 from vitrail.judge.comparison import ObservationResult, Pair, Record, Verdict
-from vitrail.scene.phenomenon import Phenomenon
 
 RESULTS_VERSION: Literal[1] = 1
 

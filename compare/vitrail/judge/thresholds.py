@@ -12,9 +12,9 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Literal
 
+from vitrail.base.phenomenon import Phenomenon
 from vitrail.judge.comparison import TolerancePart
 from vitrail.judge.reference_files import read_yaml
-from vitrail.scene.phenomenon import Phenomenon
 
 Kind = Literal["relative", "of_patch", "absolute"]
 KINDS: tuple[Kind, ...] = ("relative", "of_patch", "absolute")

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from vitrail.base.phenomenon import Phenomenon
 from vitrail.judge.comparison import AblationEntry, LayerShare, Outcome
 from vitrail.judge.patch_light import is_too_weak
-from vitrail.scene.phenomenon import Phenomenon
 
 BENEATH = "what is beneath all of it (light, surfaces, camera, units)"
 """What diffusion stands for: what every scene has."""

@@ -13,6 +13,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from vitrail.base.phenomenon import Phenomenon
 from vitrail.judge.comparison import (
     AblationEntry,
     Comparison,
@@ -27,7 +28,6 @@ from vitrail.judge.comparison import (
 from vitrail.judge.patch_light import PatchLight, is_too_weak, layer_shares
 from vitrail.judge.where_words import sentence
 from vitrail.metrics.measurement import CHANNELS
-from vitrail.scene.phenomenon import Phenomenon
 
 HALF = 0.5
 """The middle between a deviation that is still there and none; noise must not reach it from either side."""

@@ -14,13 +14,13 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
+from vitrail.base.phenomenon import Phenomenon
+from vitrail.base.vector import length
+from vitrail.geometry.distance import distance_to_surface
 from vitrail.optics.dispersion import reference_ior
 from vitrail.plan.occlusion import may_shadow
 from vitrail.plan.plan import Plan
-from vitrail.scene.distance import distance_to_surface
 from vitrail.scene.model import Ggx, Material, Object, Scene
-from vitrail.scene.phenomenon import Phenomenon
-from vitrail.scene.vector import length
 
 P = Phenomenon
 BLACK = (0.0, 0.0, 0.0)

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from vitrail.base.phenomenon import Phenomenon
 from vitrail.plan.evidence.requirement import requirement
 from vitrail.plan.facts import facts_of
 from vitrail.plan.plan import Chain, Plan, Requirement
 from vitrail.plan.possible import could_occur
 from vitrail.scene.model import Scene
-from vitrail.scene.phenomenon import Phenomenon
 
 
 def analyse(scene: Scene) -> Plan:

@@ -6,11 +6,11 @@ import math
 from dataclasses import dataclass, fields, replace
 from typing import Literal, get_args
 
-from vitrail.plan.bounds import bounds_of, bounds_of_patch, extent_of
+from vitrail.base.phenomenon import Phenomenon
+from vitrail.geometry.bounds import bounds_of, bounds_of_patch, extent_of
 from vitrail.plan.plan import Plan
 from vitrail.plan.sampling import pixel_area_m2, samples_for
 from vitrail.scene.model import Patch, Scene
-from vitrail.scene.phenomenon import Phenomenon
 
 Quality = Literal["draft", "normal", "reference"]
 Solver = Literal["auto", "photon_map", "light_bins", "beams"]

@@ -5,12 +5,12 @@ A total reflection counts with the crossings: it sends back the light that would
 
 from __future__ import annotations
 
+from vitrail.base.vector import length, subtract
+from vitrail.geometry.placement import place
 from vitrail.plan.convexity import NEAR, camera_may_be_inside, is_convex_or_flat, never_meets_itself
 from vitrail.plan.plan import Chain
 from vitrail.plan.stated_error import SHARE
 from vitrail.scene.model import Area, Material, Object, Plane, Point, Scene, Sphere, Spot
-from vitrail.scene.placement import place
-from vitrail.scene.vector import length, subtract
 
 
 def longest_chain(scene: Scene) -> Chain:

@@ -6,9 +6,9 @@ from typing import assert_never
 
 import numpy as np
 
-from vitrail.plan.bounds import around, bounds_of
+from vitrail.geometry.bounds import around, bounds_of
+from vitrail.geometry.inside import depth_in
 from vitrail.plan.view import view_of
-from vitrail.scene.inside import depth_in
 from vitrail.scene.model import (
     Box,
     Cone,

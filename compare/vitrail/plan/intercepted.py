@@ -6,9 +6,9 @@ import math
 from collections.abc import Sequence
 from typing import assert_never
 
-from vitrail.plan.bounds import Bounds
+from vitrail.base.vector import length, subtract
+from vitrail.geometry.bounds import Bounds
 from vitrail.scene.model import Area, Directional, Environment, Light, Point, Spot
-from vitrail.scene.vector import length, subtract
 
 
 def intercepted_power(light: Light, bounds: Bounds) -> float | None:

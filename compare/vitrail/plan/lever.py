@@ -9,11 +9,11 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from vitrail.plan.bounds import Bounds, bounds_of, plane_distance
+from vitrail.base.vector import Vec, length, subtract, unit
+from vitrail.geometry.bounds import Bounds, bounds_of, plane_distance
+from vitrail.geometry.placement import place
 from vitrail.plan.view import View, plane_hits
 from vitrail.scene.model import Object, Plane
-from vitrail.scene.placement import place
-from vitrail.scene.vector import Vec, length, subtract, unit
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,8 @@ specular object in view. What stands in between is ignored, but for infinite pla
 
 from __future__ import annotations
 
-from vitrail.plan.bounds import bounds_of
+from vitrail.geometry.bounds import bounds_of
+from vitrail.geometry.placement import place
 from vitrail.plan.convexity import never_meets_itself
 from vitrail.plan.light_reach import may_reach
 from vitrail.plan.occlusion import lies_in_plane_of
@@ -15,7 +16,6 @@ from vitrail.plan.plan import CausticPath
 from vitrail.plan.upstream import is_shut_off
 from vitrail.plan.view import View, view_of
 from vitrail.scene.model import Object, Plane, Scene
-from vitrail.scene.placement import place
 
 
 def specular_objects(scene: Scene) -> tuple[Object, ...]:

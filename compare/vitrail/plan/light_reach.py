@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 from typing import assert_never
 
-from vitrail.plan.bounds import Bounds, bounds_of
+from vitrail.base.vector import Vec, cross, dot, length, subtract, unit
+from vitrail.geometry.bounds import Bounds, bounds_of
+from vitrail.geometry.placement import place
 from vitrail.scene.model import Area, Directional, Environment, Light, Object, Plane, Point, Spot
-from vitrail.scene.placement import place
-from vitrail.scene.vector import Vec, cross, dot, length, subtract, unit
 
 ANGLE_SLACK = 1e-9
 """Radians added to every cone before it is used as a proof of darkness."""

@@ -9,7 +9,9 @@ from __future__ import annotations
 import math
 from typing import assert_never
 
-from vitrail.plan.bounds import Bounds, bounds_of, bounds_of_light, plane_distance
+from vitrail.base.vector import Vec, add, cross, dot, length, scale, subtract, unit
+from vitrail.geometry.bounds import Bounds, bounds_of, bounds_of_light, plane_distance
+from vitrail.geometry.placement import place
 from vitrail.plan.convexity import never_meets_itself
 from vitrail.scene.model import (
     Area,
@@ -31,8 +33,6 @@ from vitrail.scene.model import (
     Sphere,
     Spot,
 )
-from vitrail.scene.placement import place
-from vitrail.scene.vector import Vec, add, cross, dot, length, scale, subtract, unit
 
 SLACK = 1e-9
 """Relative room given to every comparison, so that rounding never proves a shadow away."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from vitrail.scene.phenomenon import Phenomenon
+from vitrail.base.phenomenon import Phenomenon
 
 
 @dataclass(frozen=True)

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import assert_never
 
+from vitrail.base.phenomenon import Phenomenon
 from vitrail.scene.absorption import absorption_per_m
 from vitrail.scene.model import Scene
-from vitrail.scene.phenomenon import Phenomenon
 
 
 def could_occur(phenomenon: Phenomenon, scene: Scene) -> bool:

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
+from vitrail.base.phenomenon import Phenomenon
 from vitrail.optics.dispersion import reference_ior
 from vitrail.plan.evidence.surfaces import is_weak_mirror
 from vitrail.plan.plan import Plan
 from vitrail.scene.model import Material, Scene
-from vitrail.scene.phenomenon import Phenomenon
 
 
 def reduced(scene: Scene, plan: Plan) -> Scene:

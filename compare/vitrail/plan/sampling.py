@@ -9,10 +9,10 @@ from __future__ import annotations
 
 import math
 
+from vitrail.base.phenomenon import Phenomenon
+from vitrail.base.vector import cross, dot, subtract, unit
+from vitrail.geometry.camera import sight
 from vitrail.scene.model import Patch, Scene
-from vitrail.scene.phenomenon import Phenomenon
-from vitrail.scene.vector import cross, dot, subtract, unit
-from vitrail.scene.view import sight
 
 SPACING = 1.5
 """Gather radii between two samples at most: the disc of every photon, two radii wide, then holds one."""

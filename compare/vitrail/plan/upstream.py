@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import math
 
-from vitrail.plan.bounds import Bounds, bounds_of
+from vitrail.base.vector import Vec, dot, length, subtract, unit
+from vitrail.geometry.bounds import Bounds, bounds_of
+from vitrail.geometry.placement import place
 from vitrail.scene.model import Directional, Light, Object, Plane, Point, Scene, Spot
-from vitrail.scene.placement import place
-from vitrail.scene.vector import Vec, dot, length, subtract, unit
 
 SLACK = 1e-9
 """Share of its size by which an object that touches a plane may reach through it."""

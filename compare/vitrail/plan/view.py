@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from vitrail.plan.bounds import Bounds
+from vitrail.base.vector import Vec, add, cross, dot, length, scale, subtract, unit
+from vitrail.geometry.bounds import Bounds
 from vitrail.scene.model import Camera, Image, Plane
-from vitrail.scene.vector import Vec, add, cross, dot, length, scale, subtract, unit
 
 EDGE = 1e-9
 """Things that touch the edge of the picture count as seen; relative to the distances compared."""

@@ -8,8 +8,8 @@ from typing import Any
 
 import pytest
 
+from vitrail.check.check import check_file
 from vitrail.commands.finding import finding
-from vitrail.images.sky import check_file_and_skies
 from vitrail.judge.comparison import ObservationResult, Verdict
 from vitrail.judge.records import GlobalMetric, SceneResult, Status
 from vitrail.judge.reference_files import ReferencesError
@@ -27,7 +27,7 @@ class SceneFile(pytest.File):
     is_remarked = False
 
     def collect(self) -> Iterator[pytest.Item]:
-        self.checked = check_file_and_skies(self.path)
+        self.checked = check_file(self.path)
         if not self.checked.is_valid:
             raise self.CollectError("\n".join(str(each) for each in self.checked.errors))
         scene = self.checked.scene_or_raise()

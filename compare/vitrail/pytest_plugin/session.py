@@ -7,17 +7,17 @@ from pathlib import Path
 
 import pytest
 
+from vitrail.check.check import CheckResult
 from vitrail.engines.base import EngineFailure
 from vitrail.engines.povray import Povray
 from vitrail.judge.records import SceneResult, write_results
 from vitrail.judge.references import references_folder
 from vitrail.judge.stored import IMAGE
+from vitrail.pipeline.about_run import about_run
+from vitrail.pipeline.request import Request
+from vitrail.pipeline.scene_run import SceneRun, run_scene
+from vitrail.pipeline.suite import judge
 from vitrail.report.build import build_report
-from vitrail.scene.check import CheckResult
-from vitrail.study.compare.about_run import about_run
-from vitrail.study.compare.request import Request
-from vitrail.study.compare.scene_run import SceneRun, run_scene
-from vitrail.study.compare.suite import judge
 
 NUMBERS_OF_ONE_OBSERVATION = 64
 """More comparisons than any observation makes. The level of an interval must be known before all scenes are measured,

@@ -5,8 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+from vitrail.base.phenomenon import Phenomenon
 from vitrail.report.study_page import environment, write_study_page
-from vitrail.scene.phenomenon import Phenomenon
 
 
 def write_mutants_page(out: Path, found: dict[str, Any]) -> Path:

@@ -7,8 +7,8 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from vitrail.base.phenomenon import Phenomenon
 from vitrail.report.mutants_ablated import ablation_text
-from vitrail.scene.phenomenon import Phenomenon
 
 ALONE = {"ssim": "SSIM < 0.95", "flip": "FLIP > 0.05", "relmse": "relMSE > 0.01"}
 

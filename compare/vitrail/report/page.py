@@ -7,9 +7,9 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from vitrail.base.phenomenon import Phenomenon
 from vitrail.judge.comparison import Comparison, ObservationResult, Pair, Verdict
 from vitrail.judge.records import Results, SceneResult, Status
-from vitrail.scene.phenomenon import Phenomenon
 
 GLYPHS = {"agrees": "✓", "deviates": "✕", "inconclusive": "?", "unjudged": "–"}
 ORDER = ("unjudged", "deviates", "inconclusive", "agrees")

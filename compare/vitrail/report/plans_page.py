@@ -7,8 +7,8 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+from vitrail.base.phenomenon import Phenomenon
 from vitrail.report.study_page import environment, write_study_page
-from vitrail.scene.phenomenon import Phenomenon
 
 LEAST_SHARE = 1e-4
 """A contribution of one part in ten thousand has no shade any more; all of the image has the darkest."""

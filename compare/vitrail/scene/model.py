@@ -14,7 +14,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, PrivateAttr, model_validator
 
-from vitrail.scene.phenomenon import Phenomenon
+from vitrail.base.phenomenon import Phenomenon
 
 LIGHT_USE_SLACK = 4 * 2.220446049250313e-16
 """Decimal sums overshoot: .33 + .56 + .11 exceeds 1 by rounding alone, so 4 ulp are allowed [O 2.37]."""
@@ -213,7 +213,7 @@ class Sphere(Part):
 
 
 class Plane(Part):
-    """An infinite plane; its surface coordinates are those of ``frame_of`` in ``scene/surface.py``."""
+    """An infinite plane; its surface coordinates are those of ``frame_of`` in ``geometry/surface.py``."""
 
     point: Vector
     normal: Vector

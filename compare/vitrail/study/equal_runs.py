@@ -15,20 +15,20 @@ from typing import Any
 
 from scipy import stats
 
+from vitrail.base.canonical_json import canonical_json
 from vitrail.engines.base import Engine
 from vitrail.images.exr import ImageLayers, read_image
 from vitrail.judge.comparison import Pair
 from vitrail.judge.false_alarms import sidak
 from vitrail.judge.observe import observe
 from vitrail.judge.references import SceneTruth
-from vitrail.lower.canonical_json import canonical_json
 from vitrail.lower.tracer import lower_tracer
+from vitrail.pipeline.queue import Progress, Work, run_tasks
+from vitrail.pipeline.task import Task
+from vitrail.pipeline.task_log import TaskLog
 from vitrail.plan.analyse import analyse
 from vitrail.plan.budget import Settings, settings_for
 from vitrail.scene.load import Loaded
-from vitrail.study.queue import Progress, Work, run_tasks
-from vitrail.study.task import Task
-from vitrail.study.task_log import TaskLog
 
 RATES = (0.01, 0.05, 0.2)
 """The suite's own rate, and two at which a few hundred pairs can show whether the intervals are too narrow."""

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from tests.lower.povray.real_povray import HALF_FLOAT, LOOKING_DOWN, lowered, rendered, scene
+from vitrail.geometry.inside import depth_in
 from vitrail.lower.povray import NotTranslatable
-from vitrail.scene.inside import depth_in
 from vitrail.scene.load import load
 
 SHAPES = {

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from tests.lower.povray.real_povray import rendered, scene
+from vitrail.geometry.camera import sight
+from vitrail.geometry.placement import place
+from vitrail.geometry.surface import checker_index, surface_coordinates
 from vitrail.scene.load import Loaded
-from vitrail.scene.placement import place
-from vitrail.scene.surface import checker_index, surface_coordinates
-from vitrail.scene.view import sight
 
 CAMERAS = {
     "perspective": "camera: {position: [3, 2, 4], look_at: [0.5, 0.2, -0.3], up: [0.2, 1, 0.1], fov_deg: 47}",

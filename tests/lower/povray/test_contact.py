@@ -13,9 +13,9 @@ import pytest
 
 from tests.lower.povray.real_povray import HALF_FLOAT, LOOKING_DOWN, lowered, plain_povray, rendered, scene
 from tests.lower.povray.test_bodies import face, slab, stack
-from vitrail.lower.povray.flush import orders
+from vitrail.base.phenomenon import Phenomenon
+from vitrail.lower.povray.bodies.flush import orders
 from vitrail.scene.load import load
-from vitrail.scene.phenomenon import Phenomenon
 
 MATERIALS = """
 panel: {emission: 1}

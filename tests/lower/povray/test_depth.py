@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from tests.lower.povray.real_povray import lowered, rendered, scene
-from vitrail.scene.phenomenon import Phenomenon
+from vitrail.base.phenomenon import Phenomenon
 
 PIPE = "- {name: pipe, box: {min: [0, 0, -0.5], max: [4, 0.5, 0.5]}, material: glass}"
 PANEL = "- {name: panel, rectangle: {center: [4.01, 0, 0], u: [0, 4, 0], v: [0, 0, 4]}, material: panel}"

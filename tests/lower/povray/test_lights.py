@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from tests.lower.povray.real_povray import HALF_FLOAT, lowered, rendered, scene
-from vitrail.lower.povray.emitters import Grid, disc_points, rectangle_points, sphere_directions, sun_directions
+from vitrail.lower.povray.text.emitters import Grid, disc_points, rectangle_points, sphere_directions, sun_directions
 from vitrail.scene.model import Disc, Rectangle
 
 CARD = "- {name: card, plane: {point: [0, 0, 0], normal: [0, 1, 0]}, material: card}"

@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 from tests.lower.povray.real_povray import LOOKING_DOWN, SUN, Rendered, lowered, rendered, rendered_file, scene
+from vitrail.base.phenomenon import Phenomenon
 from vitrail.lower.povray import NotTranslatable
-from vitrail.lower.povray.roughness import LEVELS, TILT_PER_AMPLITUDE, bumps_of
+from vitrail.lower.povray.text.roughness import LEVELS, TILT_PER_AMPLITUDE, bumps_of
 from vitrail.scene.model import Ggx, Material
-from vitrail.scene.phenomenon import Phenomenon
 
 
 def behind_a_pane(roughness: str, samples: int = 64) -> Rendered:

@@ -9,7 +9,7 @@ import pytest
 
 from tests.lower.povray.real_povray import LOOKING_DOWN, lowered, scene
 from vitrail.lower.povray import NotTranslatable
-from vitrail.lower.povray.sdl import UnwritableNumber, number
+from vitrail.lower.povray.text.sdl import UnwritableNumber, number
 
 
 @pytest.mark.parametrize("value", [math.inf, -math.inf, math.nan, 1e39, -1e300])

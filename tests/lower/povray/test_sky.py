@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 
 from tests.lower.povray.real_povray import HALF_FLOAT, lowered, rendered, scene
+from vitrail.base.phenomenon import Phenomenon
 from vitrail.images.exr import write_image
 from vitrail.lower.povray import NotTranslatable
-from vitrail.lower.povray.emitters import Grid, sphere_directions
-from vitrail.lower.povray.sky import BRIGHTEST, Sky
-from vitrail.scene.phenomenon import Phenomenon
+from vitrail.lower.povray.text.emitters import Grid, sphere_directions
+from vitrail.lower.povray.text.sky import BRIGHTEST, Sky
 
 GREY = "card: {diffuse: 0.8}"
 CARD = "- {name: card, plane: {point: [0, 0, 0], normal: [0, 1, 0]}, material: card}"

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from tests.lower.povray.real_povray import LOOKING_DOWN, SUN, lowered, rendered, scene
-from vitrail.lower.povray.certificate import HALF_FLOAT
-from vitrail.lower.povray.stored_flux import ONE_STEP, best_mantissa_factor, stored_loss, worst_loss
-from vitrail.scene.phenomenon import Phenomenon
+from vitrail.base.phenomenon import Phenomenon
+from vitrail.lower.povray.certificate.certificate import HALF_FLOAT
+from vitrail.lower.povray.photons.stored_flux import ONE_STEP, best_mantissa_factor, stored_loss, worst_loss
 
 TINTS = (0.81, 0.9025, 0.01, 0.5625)
 """t^2 of the panes of figure 4, in one channel."""

@@ -4,6 +4,6 @@
 """
 
 from vitrail.lower.povray.lower import PovrayRun, PovrayScene, lower_povray
-from vitrail.lower.povray.refusal import NotTranslatable
+from vitrail.lower.povray.refusals.refusal import NotTranslatable
 
 __all__ = ["NotTranslatable", "PovrayRun", "PovrayScene", "lower_povray"]

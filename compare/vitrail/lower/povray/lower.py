@@ -11,35 +11,35 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from vitrail.lower.povray.camera import HALF_SHIFTS
-from vitrail.lower.povray.certificate import Certificate
-from vitrail.lower.povray.contact import with_contacts
-from vitrail.lower.povray.depth import trace_depth
-from vitrail.lower.povray.emitters import Grid
-from vitrail.lower.povray.exposure import Triplet
-from vitrail.lower.povray.gaps import with_gaps
-from vitrail.lower.povray.indices import Indices
-from vitrail.lower.povray.light_factor import light_factor
-from vitrail.lower.povray.lights import sources
-from vitrail.lower.povray.meshes import bounds_of_mesh, meshes_of
-from vitrail.lower.povray.modes import Mode, mode_of
-from vitrail.lower.povray.nesting import nesting_of
-from vitrail.lower.povray.normalise import Normalisation, normalise
-from vitrail.lower.povray.objects import ObjectText
-from vitrail.lower.povray.off_centre import off_centre
-from vitrail.lower.povray.photons import PhotonPass, photon_pass, photon_targets
-from vitrail.lower.povray.refusal import Refusals
-from vitrail.lower.povray.residuals import Translation, certificate_of
-from vitrail.lower.povray.scene_text import SceneText
-from vitrail.lower.povray.sky import SkyPicture, skies_of
-from vitrail.lower.povray.support import refuse_unsupported
+from vitrail.base.phenomenon import Phenomenon
+from vitrail.geometry.mesh_of import with_full_paths
+from vitrail.lower.povray.bodies.contact import with_contacts
+from vitrail.lower.povray.bodies.gaps import with_gaps
+from vitrail.lower.povray.bodies.meshes import bounds_of_mesh, meshes_of
+from vitrail.lower.povray.bodies.nesting import nesting_of
+from vitrail.lower.povray.bodies.normalise import Normalisation, normalise
+from vitrail.lower.povray.certificate.certificate import Certificate
+from vitrail.lower.povray.certificate.residuals import Translation, certificate_of
+from vitrail.lower.povray.photons.depth import trace_depth
+from vitrail.lower.povray.photons.light_factor import light_factor
+from vitrail.lower.povray.photons.off_centre import off_centre
+from vitrail.lower.povray.photons.photons import PhotonPass, photon_pass, photon_targets
+from vitrail.lower.povray.refusals.refusal import Refusals
+from vitrail.lower.povray.refusals.support import refuse_unsupported
+from vitrail.lower.povray.text.camera import HALF_SHIFTS
+from vitrail.lower.povray.text.emitters import Grid
+from vitrail.lower.povray.text.exposure import Triplet
+from vitrail.lower.povray.text.indices import Indices
+from vitrail.lower.povray.text.lights import sources
+from vitrail.lower.povray.text.modes import Mode, mode_of
+from vitrail.lower.povray.text.objects import ObjectText
+from vitrail.lower.povray.text.scene_text import SceneText
+from vitrail.lower.povray.text.sky import SkyPicture, skies_of
 from vitrail.plan.budget import Quality, Settings
 from vitrail.plan.plan import Plan
 from vitrail.plan.reduced import reduced
 from vitrail.scene.load import Loaded
-from vitrail.scene.mesh_of import with_full_paths
 from vitrail.scene.model import Scene
-from vitrail.scene.phenomenon import Phenomenon
 from vitrail.scene.print import scene_hash
 
 EMITTERS: dict[Quality, int] = {"draft": 12, "normal": 24, "reference": 96}

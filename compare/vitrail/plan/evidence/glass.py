@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from vitrail.plan.bounds import bounds_of
+from vitrail.geometry.bounds import bounds_of
 from vitrail.plan.evidence.words import colour, degrees, needed, not_needed
 from vitrail.plan.facts import Facts
 from vitrail.plan.plan import Requirement

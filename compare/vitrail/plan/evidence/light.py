@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from vitrail.plan.bounds import bounds_of
+from vitrail.geometry.bounds import bounds_of
 from vitrail.plan.convexity import never_meets_itself
 from vitrail.plan.evidence.words import LONGEST_LIST, colour, needed, not_needed
 from vitrail.plan.facts import Facts

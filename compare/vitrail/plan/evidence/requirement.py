@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import assert_never
 
+from vitrail.base.phenomenon import Phenomenon
 from vitrail.plan.evidence.angles import dispersion, roughness
 from vitrail.plan.evidence.glass import absorption, coloured_transmission, refraction, total_internal_reflection
 from vitrail.plan.evidence.light import caustic, indirect_light
@@ -11,7 +12,6 @@ from vitrail.plan.evidence.shadows import shadow
 from vitrail.plan.evidence.surfaces import diffusion, reflection
 from vitrail.plan.facts import Facts
 from vitrail.plan.plan import Requirement
-from vitrail.scene.phenomenon import Phenomenon
 
 
 def requirement(phenomenon: Phenomenon, facts: Facts) -> Requirement:

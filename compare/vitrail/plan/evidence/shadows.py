@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 
-from vitrail.plan.bounds import bounds_of, bounds_of_light
+from vitrail.base.vector import length, subtract
+from vitrail.geometry.bounds import bounds_of, bounds_of_light
 from vitrail.plan.evidence.words import needed, not_needed, pixels
 from vitrail.plan.facts import Facts
 from vitrail.plan.lever import lever_on
@@ -12,7 +13,6 @@ from vitrail.plan.light_reach import may_reach
 from vitrail.plan.occlusion import may_shadow
 from vitrail.plan.plan import Requirement
 from vitrail.scene.model import Area, Directional, Environment, Light, Object, Point, Spot
-from vitrail.scene.vector import length, subtract
 
 
 def shadow(facts: Facts) -> Requirement:

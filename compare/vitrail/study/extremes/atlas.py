@@ -8,7 +8,10 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, get_args
 
-from vitrail.study.engine_build import engine_build
+from vitrail.engines.engine_build import engine_build
+from vitrail.pipeline.queue import Progress, run_tasks
+from vitrail.pipeline.task import Row, Task
+from vitrail.pipeline.task_log import TaskLog
 from vitrail.study.extremes.axis import AtlasEngine, Axis
 from vitrail.study.extremes.ball_axes import BALL_AXES
 from vitrail.study.extremes.incidence_axes import INCIDENCE_AXES
@@ -17,9 +20,6 @@ from vitrail.study.extremes.light_axes import LIGHT_AXES
 from vitrail.study.extremes.measure import probe_of
 from vitrail.study.extremes.search import Range, Reading, binary, find_limit, geometric, whole
 from vitrail.study.extremes.size_axes import SIZE_AXES
-from vitrail.study.queue import Progress, run_tasks
-from vitrail.study.task import Row, Task
-from vitrail.study.task_log import TaskLog
 
 AXES: tuple[Axis, ...] = (*SIZE_AXES, *LIGHT_AXES, *BALL_AXES, *INDEX_AXES, *INCIDENCE_AXES)
 ENGINES: tuple[AtlasEngine, ...] = get_args(AtlasEngine)

@@ -13,12 +13,12 @@ from vitrail.engines.povray_text import render_text
 from vitrail.engines.tracer import Tracer
 from vitrail.images.exr import read_image
 from vitrail.lower.tracer import lower_tracer
+from vitrail.pipeline.task import TIMEOUT_S
 from vitrail.plan.analyse import everything
 from vitrail.plan.budget import settings_for
 from vitrail.scene.load import load_text
 from vitrail.study.extremes.axis import AtlasEngine, Axis
 from vitrail.study.extremes.search import Reading
-from vitrail.study.task import TIMEOUT_S
 
 MOST_VERTICES = 1200
 """More than a path may have: 1000 transmissions and what it ends on."""

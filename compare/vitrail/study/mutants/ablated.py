@@ -13,11 +13,11 @@ from vitrail.judge.judgement import judge_observation
 from vitrail.judge.records import Results
 from vitrail.judge.thresholds import thresholds_of
 from vitrail.judge.whereabouts import LIGHT_FAMILIES
-from vitrail.study.compare.ablate import search_whereabouts
-from vitrail.study.compare.about_run import about_run
-from vitrail.study.compare.request import Request
-from vitrail.study.compare.scene_run import SceneRun
-from vitrail.study.compare.suite import judge
+from vitrail.pipeline.ablate import search_whereabouts
+from vitrail.pipeline.about_run import about_run
+from vitrail.pipeline.request import Request
+from vitrail.pipeline.scene_run import SceneRun
+from vitrail.pipeline.suite import judge
 from vitrail.study.mutants.bench import Bench, unwatched
 
 

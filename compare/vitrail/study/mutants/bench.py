@@ -7,14 +7,14 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from vitrail.judge.records import Results, SceneResult
+from vitrail.pipeline.about_run import about_run
+from vitrail.pipeline.render import lower_both, povray_key, tracer_key
+from vitrail.pipeline.request import Defect, Request
+from vitrail.pipeline.scene_run import SceneRun, run_scene
+from vitrail.pipeline.suite import judge
 from vitrail.plan.analyse import analyse
 from vitrail.plan.budget import settings_for
 from vitrail.scene.load import Loaded, load
-from vitrail.study.compare.about_run import about_run
-from vitrail.study.compare.render import lower_both, povray_key, tracer_key
-from vitrail.study.compare.request import Defect, Request
-from vitrail.study.compare.scene_run import SceneRun, run_scene
-from vitrail.study.compare.suite import judge
 
 FEWER: Mapping[str, object] = {"photons": 200_000}
 """Where POV-Ray takes 10 s and more at the photons of normal quality, and a fifth of them leave 0.1 % of noise."""

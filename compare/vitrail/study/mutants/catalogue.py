@@ -8,10 +8,10 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
+from vitrail.base.phenomenon import Phenomenon
 from vitrail.lower.povray import PovrayRun, PovrayScene
-from vitrail.scene.phenomenon import Phenomenon
-from vitrail.study.compare.defects import DEFECTS, brighter_lights, on_text
-from vitrail.study.compare.request import Defect
+from vitrail.pipeline.defects import DEFECTS, brighter_lights, on_text
+from vitrail.pipeline.request import Defect
 from vitrail.study.mutants import misreadings as misread
 from vitrail.study.mutants.mutant import Mutant
 

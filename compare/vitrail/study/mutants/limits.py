@@ -16,11 +16,11 @@ from typing import Any
 
 from vitrail.judge.comparison import Comparison, Verdict
 from vitrail.judge.records import SceneResult
+from vitrail.pipeline.about_run import about_run
+from vitrail.pipeline.request import Defect, Request
+from vitrail.pipeline.scene_run import run_scene
+from vitrail.pipeline.suite import judge
 from vitrail.scene.load import load
-from vitrail.study.compare.about_run import about_run
-from vitrail.study.compare.request import Defect, Request
-from vitrail.study.compare.scene_run import run_scene
-from vitrail.study.compare.suite import judge
 from vitrail.study.mutants import misreadings as misread
 
 SHARES = (0.0, 0.5, 1.0)

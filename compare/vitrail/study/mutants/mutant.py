@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from vitrail.scene.phenomenon import Phenomenon
-from vitrail.study.compare.request import Defect
+from vitrail.base.phenomenon import Phenomenon
+from vitrail.pipeline.request import Defect
 
 Place = Literal["translator", "tracer"]
 ENGINE_OF: dict[Place, str] = {"translator": "povray", "tracer": "tracer"}

@@ -16,15 +16,15 @@ from typing import Any
 from vitrail.judge.comparison import Pair, Verdict
 from vitrail.judge.diagnosis import Diagnosis, diagnose
 from vitrail.judge.records import Results, Status
-from vitrail.study.compare.request import Defect
-from vitrail.study.compare.scene_run import SceneRun, run_scene
+from vitrail.pipeline.queue import Progress, Work, run_tasks
+from vitrail.pipeline.request import Defect
+from vitrail.pipeline.scene_run import SceneRun, run_scene
+from vitrail.pipeline.task import Row, Task
+from vitrail.pipeline.task_log import TaskLog
 from vitrail.study.mutants.ablated import clean_ablations, whereabouts_of
 from vitrail.study.mutants.bench import Bench, alone, clean_bench, content, unwatched
 from vitrail.study.mutants.catalogue import MUTANTS
 from vitrail.study.mutants.mutant import Mutant
-from vitrail.study.queue import Progress, Work, run_tasks
-from vitrail.study.task import Row, Task
-from vitrail.study.task_log import TaskLog
 
 
 def run_mutants(

@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from vitrail.pipeline.task import Row
 from vitrail.study.statistics import (
     Interval,
     Setting,
@@ -18,7 +19,6 @@ from vitrail.study.statistics import (
     knee,
     pareto_front,
 )
-from vitrail.study.task import Row
 from vitrail.study.tradeoff.knobs import Knobs
 from vitrail.study.tradeoff.orders import orders_of
 from vitrail.study.tradeoff.sentence import sentence

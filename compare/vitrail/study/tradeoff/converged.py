@@ -18,11 +18,11 @@ from typing import Any
 from vitrail.engines.tracer import Tracer
 from vitrail.images.exr import ImageLayers, read_image
 from vitrail.lower.tracer import lower_tracer
+from vitrail.pipeline.task import Task
 from vitrail.plan.analyse import analyse
 from vitrail.plan.budget import Settings, settings_for
 from vitrail.scene.load import Loaded
 from vitrail.scene.print import scene_hash
-from vitrail.study.task import Task
 from vitrail.study.tradeoff.knobs import Extent
 
 SAMPLES: Mapping[Extent, int] = {"quick": 16, "normal": 64, "wide": 256}

@@ -13,11 +13,11 @@ from dataclasses import dataclass
 from itertools import product
 from typing import Any, Literal, get_args
 
-from vitrail.lower.povray.modes import mode_of
+from vitrail.base.phenomenon import Phenomenon
+from vitrail.lower.povray.text.modes import mode_of
 from vitrail.plan.budget import settings_for
 from vitrail.plan.plan import Plan
 from vitrail.scene.model import Scene
-from vitrail.scene.phenomenon import Phenomenon
 
 EngineName = Literal["tracer", "povray"]
 Extent = Literal["quick", "normal", "wide"]

@@ -19,11 +19,11 @@ from vitrail.judge.references import SceneTruth
 from vitrail.judge.verdict import Measured
 from vitrail.lower.povray import lower_povray
 from vitrail.lower.tracer import lower_tracer
+from vitrail.pipeline.task import TIMEOUT_S
 from vitrail.plan.analyse import analyse
 from vitrail.plan.budget import settings_for
 from vitrail.scene.load import Loaded
 from vitrail.scene.model import Scene, Transport
-from vitrail.study.task import TIMEOUT_S
 from vitrail.study.tradeoff.converged import Converged
 
 PAIRS = {"tracer": Pair.TRACER_TRUTH, "povray": Pair.POVRAY_TRUTH}

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from scipy import optimize
 
-from vitrail.study.task import canonical
+from vitrail.pipeline.task import canonical
 from vitrail.study.tradeoff.orders import WORK
 
 REACH = 4.0

@@ -8,8 +8,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from typing import Any
 
+from vitrail.pipeline.task import canonical
 from vitrail.study.statistics import Interval, Setting, convergence_order
-from vitrail.study.task import canonical
 from vitrail.study.tradeoff.knobs import label_of
 
 WORK = ("photons", "samples")

@@ -17,20 +17,20 @@ from typing import Any
 import numpy as np
 from scipy import stats
 
+from vitrail.base.phenomenon import Phenomenon
+from vitrail.engines.engine_build import engine_build
 from vitrail.engines.tracer import Tracer
 from vitrail.images.exr import ImageLayers, read_image
 from vitrail.lower.tracer import lower_tracer
+from vitrail.pipeline.queue import Progress, Work, run_tasks
+from vitrail.pipeline.task import TIMEOUT_S, Row, Task
+from vitrail.pipeline.task_log import TaskLog, read_rows
 from vitrail.plan.analyse import analyse, everything
 from vitrail.plan.budget import Settings, settings_for
 from vitrail.plan.plan import Plan
 from vitrail.scene.load import Loaded
 from vitrail.scene.model import Scene
-from vitrail.scene.phenomenon import Phenomenon
 from vitrail.scene.print import scene_hash
-from vitrail.study.engine_build import engine_build
-from vitrail.study.queue import Progress, Work, run_tasks
-from vitrail.study.task import TIMEOUT_S, Row, Task
-from vitrail.study.task_log import TaskLog, read_rows
 from vitrail.study.tradeoff.removal import HOW, without
 
 REPEATS = 5

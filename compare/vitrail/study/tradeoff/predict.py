@@ -9,13 +9,13 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from vitrail.engines.engine_build import engine_build
+from vitrail.pipeline.queue import Progress, run_tasks
+from vitrail.pipeline.task import Row, Task
+from vitrail.pipeline.task_log import TaskLog
 from vitrail.plan.budget import setting_names
 from vitrail.scene.load import Loaded
 from vitrail.scene.print import scene_hash
-from vitrail.study.engine_build import engine_build
-from vitrail.study.queue import Progress, run_tasks
-from vitrail.study.task import Row, Task
-from vitrail.study.task_log import TaskLog
 from vitrail.study.tradeoff.knobs import ENGINES, EngineName, label_of
 from vitrail.study.tradeoff.measure import Measure
 from vitrail.study.tradeoff.model import Prediction, best_for_budget, best_for_error, series_of

@@ -10,9 +10,9 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Any, assert_never
 
+from vitrail.base.phenomenon import Phenomenon
 from vitrail.plan.plan import Plan, Requirement
 from vitrail.scene.model import Attenuation, Material, Scene
-from vitrail.scene.phenomenon import Phenomenon
 
 Triplet = tuple[float, float, float]
 HOW: dict[Phenomenon, str] = {

@@ -8,15 +8,15 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from vitrail.engines.engine_build import engine_build
 from vitrail.judge.references import read_scene_truth, references_folder
+from vitrail.pipeline.queue import Progress, run_tasks
+from vitrail.pipeline.task import Task
+from vitrail.pipeline.task_log import TaskLog, read_rows
 from vitrail.plan.analyse import analyse
 from vitrail.plan.budget import USUAL_PHOTONS, settings_for
 from vitrail.scene.load import Loaded
 from vitrail.scene.print import scene_hash
-from vitrail.study.engine_build import engine_build
-from vitrail.study.queue import Progress, run_tasks
-from vitrail.study.task import Task
-from vitrail.study.task_log import TaskLog, read_rows
 from vitrail.study.tradeoff.analysis import analyse_rows
 from vitrail.study.tradeoff.converged import Converged
 from vitrail.study.tradeoff.knobs import Extent, matrix

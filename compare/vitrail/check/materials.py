@@ -1,0 +1,54 @@
+"""Materials that are consistent in themselves but not with the switches or objects of their scene."""
+
+from __future__ import annotations
+
+from vitrail.check.findings import Findings
+from vitrail.scene.model import Abbe, Material, Paper
+
+_SHORTEST_NM, _LONGEST_NM = 380.0, 730.0
+_FRAUNHOFER_D_NM, _FRAUNHOFER_F_NM, _FRAUNHOFER_C_NM = 587.5618, 486.1327, 656.2725
+
+
+def check_materials(findings: Findings) -> None:
+    """Report indices that dispersion drives to zero, idle settings, and materials that no object uses."""
+    scene = findings.scene
+    used = {item.material for item in scene.objects}
+    for name, material in scene.materials.items():
+        lowest = _lowest_index(material, scene.paper)
+        if lowest is not None and lowest <= 0:
+            what = f"its dispersion brings the refraction index of `{name}` down to {lowest:.4g}"
+            findings.error(what, "an index is above 0; lower the dispersion", "materials", name, "dispersion")
+        _check_idle_settings(findings, name, material)
+        if name not in used:
+            findings.warning(f"no object uses the material `{name}`", "remove it or use it", "materials", name)
+
+
+def _check_idle_settings(findings: Findings, name: str, material: Material) -> None:
+    """Warn of settings that change nothing."""
+    if material.fresnel and not material.is_specular:
+        what = f"`fresnel` of `{name}` has no light to split"
+        findings.warning(what, "add `transmission` or `reflection`", "materials", name, "fresnel")
+    if material.roughness != 0 and not material.is_specular:
+        what = f"`roughness` of `{name}` changes nothing, as it neither reflects nor transmits"
+        findings.warning(what, "add `transmission` or `reflection`", "materials", name, "roughness")
+    if material.dispersion not in (None, 0) and not material.is_transmissive:
+        what = f"`dispersion` of `{name}` changes nothing, as it does not transmit"
+        findings.warning(what, "add `transmission` or remove it", "materials", name, "dispersion")
+
+
+def _lowest_index(material: Material, paper: Paper) -> float | None:
+    """The smallest refraction index over the visible bands, None without ior or dispersion."""
+    if material.ior is None or material.dispersion is None:
+        return None
+    if isinstance(material.dispersion, Abbe):
+        return min(_abbe_index(material.ior, material.dispersion.abbe, nm) for nm in (_SHORTEST_NM, _LONGEST_NM))
+    # Follow the paper's bands R, Y, G, B, counted from the band that `ior` belongs to [O 1.1 items 23, 24].
+    step = material.dispersion / 3 if paper.dispersion == "span" else material.dispersion
+    shift = {"red": 0.0, "d_line": 1.0, "middle": 1.5}[paper.dispersion_reference]
+    return min(material.ior + step * (band - shift) for band in range(4))
+
+
+def _abbe_index(n_d: float, abbe: float, wavelength_nm: float) -> float:
+    """Cauchy's n = A + B / lambda^2 through n_d with n_F - n_C = (n_d - 1) / V_d."""
+    slope = (n_d - 1) / abbe / (_FRAUNHOFER_F_NM**-2 - _FRAUNHOFER_C_NM**-2)
+    return n_d + slope * (wavelength_nm**-2 - _FRAUNHOFER_D_NM**-2)

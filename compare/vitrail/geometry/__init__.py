@@ -1,0 +1,1 @@
+"""Where the bodies of a scene are: shapes, placement, bounds, overlap, contact, meshes and the camera."""

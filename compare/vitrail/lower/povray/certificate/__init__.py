@@ -1,0 +1,1 @@
+"""What the translation to POV-Ray approximates, and by how much."""

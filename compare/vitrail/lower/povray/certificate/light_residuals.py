@@ -1,0 +1,60 @@
+"""What the lights of POV-Ray do differently, as entries of the certificate."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from vitrail.base.phenomenon import Phenomenon
+from vitrail.lower.povray.certificate.certificate import HALF_FLOAT, RELATIVE, Entry
+from vitrail.lower.povray.text.lights import FADE_SHARE, Source
+from vitrail.lower.povray.text.sky import Skies
+from vitrail.plan.plan import Plan
+from vitrail.scene.model import Scene
+
+
+def light_entries(scene: Scene, plan: Plan, lights: Sequence[Source], skies: Skies) -> Iterator[Entry]:
+    """Falloff, grids of small lights, and the image of a sky."""
+    yield from _falloff(lights)
+    yield from _grids(scene, lights, skies)
+    yield from _pixels(plan, skies)
+
+
+def _falloff(lights: Sequence[Source]) -> Iterator[Entry]:
+    """Each small light of a grid loses the same share of its own light: one entry a light of the scene."""
+    for index in sorted({source.light for source in lights if source.fade_distance is not None}):
+        yield Entry(
+            Phenomenon.DIFFUSION,
+            f"L{index + 1}",
+            "E = I / r^2",
+            "E = I / (r^2 + f^2)",
+            FADE_SHARE**2,
+            RELATIVE,
+            "POV-Ray has no unbounded inverse square; f is 1/1000 of the distance to the nearest surface",
+        )
+
+
+def _grids(scene: Scene, lights: Sequence[Source], skies: Skies) -> Iterator[Entry]:
+    """Lights with a surface or a solid angle, made of small ones."""
+    for index, light in enumerate(scene.lights):
+        count = sum(source.light == index for source in lights)
+        if count > 1:
+            measure = "power" if index in skies else "size"
+            yield Entry(
+                Phenomenon.SHADOW,
+                f"L{index + 1}",
+                f"one {light.kind} light",
+                f"{count} small ones in each half image, at random in cells of equal {measure}",
+                1 / (2 * count),
+                RELATIVE,
+                "penumbras have steps of one small light; the light as a whole is unbiased",
+            )
+
+
+def _pixels(plan: Plan, skies: Skies) -> Iterator[Entry]:
+    """The image of the sky as mirrors and glass show it; which pixel a direction meets is the same."""
+    for index in skies:
+        for phenomenon in (Phenomenon.REFLECTION, Phenomenon.REFRACTION):
+            if plan.requires(phenomenon):
+                reason = "POV-Ray reads images with 11 bits a channel, and takes the nearest pixel as the tracer does"
+                law = "pixels of half floats"
+                yield Entry(phenomenon, f"L{index + 1}", "pixels as they are", law, HALF_FLOAT, RELATIVE, reason)

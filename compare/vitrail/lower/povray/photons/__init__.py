@@ -1,0 +1,1 @@
+"""POV-Ray's photons and radiosity: spacing, flux steps, depth."""

@@ -1,0 +1,1 @@
+"""POV-Ray's language: every part of a scene as text."""

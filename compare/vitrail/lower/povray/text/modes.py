@@ -1,0 +1,154 @@
+"""Reference modes: everything in one run, one run a channel where photons would lose colour, or one run a band."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+from vitrail.base.phenomenon import Phenomenon
+from vitrail.lower.povray.text.exposure import Exposure, Triplet
+from vitrail.lower.povray.text.sky import Skies, Sky
+from vitrail.optics.bands import ALL_LIGHT, Band, band_model
+from vitrail.plan.budget import Settings
+from vitrail.plan.plan import Plan
+from vitrail.scene.model import Light, Scene
+
+ALL = (Exposure(),)
+SAME_CHANNELS = 1e-12
+"""Channels closer than this, relative, have the same photons."""
+MOST_SLICES = 16
+"""Bands up to which ``auto`` renders one run a band; above, POV-Ray's own dispersion stands in."""
+
+
+@dataclass(frozen=True)
+class Mode:
+    """``name`` is native, channels or slices; ``exposures`` are the runs of one half; ``reason`` is for the reader.
+
+    ``bands`` is one band of all light where the plan has no dispersion.
+    """
+
+    name: str
+    exposures: tuple[Exposure, ...]
+    bands: tuple[Band, ...]
+    reason: str
+
+    @property
+    def shows_all_channels(self) -> bool:
+        """Whether one run shows all three channels, in colour."""
+        return any(exposure.channel is None for exposure in self.exposures)
+
+    @property
+    def is_sliced(self) -> bool:
+        return any(exposure.band is not None for exposure in self.exposures)
+
+
+def mode_of(scene: Scene, plan: Plan, settings: Settings, skies: Skies) -> Mode:
+    """The asked mode; ``auto`` takes channels wherever one photon colour or one pool s cannot serve all three.
+
+    With dispersion ``auto`` and ``channels`` mean one run a band, unless there are very many.
+    """
+    bands = band_model(scene.transport.bands).bands if plan.requires(Phenomenon.DISPERSION) else (ALL_LIGHT,)
+    if settings.reference_mode == "native":
+        return Mode("native", ALL, bands, "asked for")
+    exposures, reason = _by_channel(scene, plan, settings, skies)
+    is_sliced = len(bands) > 1 and (settings.reference_mode == "slices" or len(bands) <= MOST_SLICES)
+    if is_sliced:
+        return Mode("slices", _sliced(exposures, bands), bands, f"one run a band has no error of the index; {reason}")
+    name = "native" if exposures == ALL else "channels"
+    if len(bands) > 1:
+        reason += f"; {len(bands)} bands are too many for a run each"
+    return Mode(name, exposures, bands, reason)
+
+
+def _by_channel(scene: Scene, plan: Plan, settings: Settings, skies: Skies) -> tuple[tuple[Exposure, ...], str]:
+    """The exposures that the channels need, and why."""
+    if settings.reference_mode == "channels":
+        return _apart(scene, skies), "asked for"
+    if coloured := _coloured_glass(scene):
+        return _apart(scene, skies), f"material {coloured} treats the channels of light differently"
+    if plan.requires(Phenomenon.CAUSTIC) and (lamp := _coloured_light(scene, skies)):
+        return _apart(scene, skies), f"light {lamp} has channels that photons would round differently"
+    return ALL, "every channel of light is treated alike"
+
+
+def _sliced(exposures: tuple[Exposure, ...], bands: tuple[Band, ...]) -> tuple[Exposure, ...]:
+    """Each exposure in each band, where the band has a share in it at all."""
+    return tuple(
+        replace(exposure, band=index, weight=band.weight)
+        for index, band in enumerate(bands)
+        for exposure in exposures
+        if any(band.weight[channel] != 0 for channel in exposure.stands_for)
+    )
+
+
+def _apart(scene: Scene, skies: Skies) -> tuple[Exposure, ...]:
+    """One exposure for each group of channels that the whole scene treats alike."""
+    colours = [*_colours(scene.model_dump()), *(colour for sky in skies.values() for colour in sky.colours)]
+    groups: list[list[int]] = []
+    for channel in range(3):
+        alike = next((g for g in groups if all(colour[g[0]] == colour[channel] for colour in colours)), None)
+        if alike is None:
+            groups.append([channel])
+        else:
+            alike.append(channel)
+    return tuple(Exposure(group[0], stands_for=tuple(group)) for group in groups)
+
+
+COLOUR_KEYS = {
+    "diffuse",
+    "reflection",
+    "transmission",
+    "emission",
+    "absorption_per_m",
+    "color",
+    "colors",
+    "irradiance",
+    "intensity",
+    "radiance",
+    "ambient",
+}
+"""Every key of the scene language that holds colours."""
+
+
+def _colours(part: object, key: str = "") -> Iterator[Triplet]:
+    """All colours of a dumped scene."""
+    match part:
+        case dict():
+            for name, value in part.items():
+                yield from _colours(value, name)
+        case tuple() | list() if key in COLOUR_KEYS and len(part) == 3 and isinstance(part[0], float | int):
+            yield (part[0], part[1], part[2])
+        case tuple() | list():
+            for value in part:
+                yield from _colours(value, key)
+        case _:
+            return
+
+
+def _coloured_glass(scene: Scene) -> str:
+    """Number of the first specular material whose faces or inside are coloured (M1 is the first material)."""
+    for index, material in enumerate(scene.materials.values(), 1):
+        inside = material.absorption_per_m or (material.attenuation.color if material.attenuation else (0.0,) * 3)
+        colours: tuple[Triplet, ...] = (material.reflection, material.transmission, inside)
+        if material.is_specular and any(_is_coloured(colour) for colour in colours):
+            return f"M{index}"
+    return ""
+
+
+def light_colours(light: Light, sky: Sky | None) -> list[Triplet]:
+    """What a light sends, the most coloured pixels of a sky that is an image."""
+    if sky is not None:
+        return list(sky.colours)
+    emitter = light.emitter
+    return [value for key in ("irradiance", "intensity", "radiance") if (value := getattr(emitter, key, None))]
+
+
+def _coloured_light(scene: Scene, skies: Skies) -> str:
+    for index, light in enumerate(scene.lights):
+        if any(_is_coloured(colour) for colour in light_colours(light, skies.get(index))):
+            return f"L{index + 1}"
+    return ""
+
+
+def _is_coloured(colour: Triplet) -> bool:
+    return max(colour) - min(colour) > SAME_CHANNELS * max(colour)

@@ -1,0 +1,154 @@
+"""One object of the scene as POV-Ray text: shape, texture, inside, and what photons do with it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from vitrail.base.phenomenon import Phenomenon
+from vitrail.geometry.placement import Placed, place
+from vitrail.lower.povray.bodies.immersion import index_around, seen_from_outside
+from vitrail.lower.povray.bodies.nesting import Cut, Nesting
+from vitrail.lower.povray.bodies.normalise import Normalisation
+from vitrail.lower.povray.text.exposure import Exposure, Triplet
+from vitrail.lower.povray.text.indices import Indices
+from vitrail.lower.povray.text.materials import texture_sdl
+from vitrail.lower.povray.text.roughness import Bumps, bumps_of
+from vitrail.lower.povray.text.sdl import block, rgb
+from vitrail.lower.povray.text.shapes import primitive
+from vitrail.lower.povray.text.surface import Surface, specular_pool
+from vitrail.optics.dispersion import reference_ior
+from vitrail.plan.plan import Plan
+from vitrail.scene.absorption import absorption_per_m
+from vitrail.scene.model import Ambient, Material, Object, Scene
+
+CLEAR = "texture { pigment { rgb 1 filter 1 } }"
+"""A face that does nothing at equal index."""
+
+
+@dataclass(frozen=True)
+class ObjectText:
+    """What turns the objects of one scene into text; ``has_photons`` makes specular ones the targets of photons.
+
+    ``under`` names the glasses that lie on a body that is none.
+    """
+
+    scene: Scene
+    plan: Plan
+    units: Normalisation
+    has_photons: bool
+    indices: Indices
+    nesting: Nesting
+    under: Mapping[int, tuple[int, ...]]
+
+    def sdl(self, index: int, placed: Placed, exposure: Exposure, is_shooting: bool) -> str:
+        """The object in one run; ``placed`` is its shape, where a gap has been opened already."""
+        item, cuts = self.scene.objects[index], self.nesting.cuts[index]
+        material = self.scene.material_of(item)
+        shape = primitive(placed, self.units)
+        after = [
+            *self._textures(index, placed, exposure),
+            self._interior(material, exposure, is_shooting),
+            self._photons(material),
+        ]
+        if not cuts:
+            return block(shape.keyword, [*shape.parts, *after])
+        parts = [self._cutter(cut, material, exposure) for cut in cuts]
+        return block("difference", [block(shape.keyword, shape.parts), *parts, *after])
+
+    def _cutter(self, cut: Cut, lower: Material, exposure: Exposure) -> str:
+        """What is taken out; its face belongs to the higher solid, and is clear from the inside of the lower one."""
+        inner = primitive(cut.placed, self.units)
+        if not lower.is_transmissive:
+            return block(inner.keyword, [*inner.parts, self._texture(lower, cut.placed, exposure)])
+        higher = self.scene.material_of(self.scene.objects[cut.by])
+        look = self._texture(higher, cut.placed, exposure)
+        # Say both sides: a part without a look of its own for its inside takes that of the whole.
+        hidden = look if cut.is_air else self._second_face(lower, cut.is_contact, exposure)
+        return block(inner.keyword, [*inner.parts, look, f"interior_{hidden}"])
+
+    def _second_face(self, lower: Material, is_contact: bool, exposure: Exposure) -> str:
+        """The face at equal index that is crossed second: nothing, or what the lower solid's own face keeps."""
+        if not is_contact:
+            return CLEAR
+        kept = specular_pool(lower, exposure) if lower.fresnel else exposure.share(lower.transmission)
+        return f"texture {{ pigment {{ {rgb(kept)} filter 1 }} }}"
+
+    def _without(self, host: int, index: int) -> str:
+        """The room of a lower solid without those that other solids take from it."""
+        shape = primitive(place(self.scene.objects[host]), self.units)
+        body = block(shape.keyword, shape.parts)
+        others = [primitive(cut.placed, self.units) for cut in self.nesting.cuts[host] if cut.by != index]
+        if not others:
+            return body
+        return block("difference", [body, *(block(other.keyword, other.parts) for other in others)])
+
+    def _texture(
+        self, material: Material, placed: Placed, exposure: Exposure, bumps: Bumps | None = None, seen: float = 1.0
+    ) -> str:
+        return texture_sdl(Surface(material, placed, exposure, self.units, self._has_ambient, bumps, seen))
+
+    def _textures(self, index: int, placed: Placed, exposure: Exposure) -> list[str]:
+        """The look of an object from outside, and where it differs from inside: rough, scattering and nested glass."""
+        item = self.scene.objects[index]
+        material, ior = self.scene.material_of(item), self._index_of(item)
+        around = seen_from_outside(self.scene, index_around(self.scene, item))
+        bumps = [bumps_of(material, ior, from_inside=side) if material.is_specular else None for side in (False, True)]
+        outer = self._texture(material, placed, exposure, bumps[0], around)
+        if not material.is_transmissive:
+            for glass in self.under.get(index, ()):
+                # Where glass lies on this face, its radiance is seen from inside the glass.
+                within = seen_from_outside(self.scene, self._index_of(self.scene.objects[glass]))
+                covered = self._texture(material, placed, exposure, bumps[0], within)
+                outer = block("texture", [block("object", [self._without(glass, index), outer, covered])])
+            return [outer]
+        hidden = inner = self._texture(material, placed, exposure, bumps[1], seen_from_outside(self.scene, ior))
+        for host in self.nesting.hosts[index]:
+            # Where the lower solid lies outside, light has left this one already when it meets this face.
+            is_contact = any(cut.by == index and cut.is_contact for cut in self.nesting.cuts[host])
+            left = self._second_face(self.scene.material_of(self.scene.objects[host]), is_contact, exposure)
+            hidden = block("texture", [block("object", [self._without(host, index), inner, left])])
+            inner = hidden
+        return [outer] if hidden == outer else [outer, f"interior_{hidden}"]
+
+    def _index_of(self, item: Object) -> float:
+        return reference_ior(self.scene.material_of(item))
+
+    @property
+    def _has_ambient(self) -> bool:
+        return isinstance(self.scene.transport.indirect, Ambient) and self.plan.requires(Phenomenon.INDIRECT_LIGHT)
+
+    def _interior(self, material: Material, exposure: Exposure, is_shooting: bool) -> str:
+        """The index where light enters or Fresnel asks for it, and the absorption where the plan wants it.
+
+        A medium absorbs on every way inside. POV-Ray's fade would not: it dims what leaves through a face of its own
+        solid, and neither what the face mirrors back nor what ends on a body inside [P 7].
+        """
+        if not material.is_transmissive and not (material.fresnel and material.is_specular):
+            return ""
+        absorbing = material.is_transmissive and self.plan.requires(Phenomenon.ABSORPTION)
+        inside = ""
+        if absorbing and max(absorption_per_m(material)) > 0:
+            per_unit = exposure.share(self._absorption_per_unit(material))
+            inside = f"media {{ absorption {rgb(per_unit)} }}" if max(per_unit) > 0 else ""
+        interior = block("interior", [self.indices.sdl(material, exposure, is_shooting), inside])
+        return f"{interior}\nhollow" if self._has_media and material.is_transmissive else interior
+
+    @property
+    def _has_media(self) -> bool:
+        """Whether something absorbs: then every solid that light crosses must be hollow, or its media are skipped."""
+        absorbs = any(max(absorption_per_m(each)) > 0 for each in self.scene.materials.values())
+        return absorbs and self.plan.requires(Phenomenon.ABSORPTION)
+
+    def _absorption_per_unit(self, material: Material) -> Triplet:
+        red, green, blue = absorption_per_m(material)
+        return (red / self.units.scale, green / self.units.scale, blue / self.units.scale)
+
+    def _photons(self, material: Material) -> str:
+        """Photons are aimed at everything specular; only what scatters collects them."""
+        if not self.has_photons or not material.is_specular:
+            return ""
+        refraction = "on" if material.is_transmissive else "off"
+        reflection = "on" if max(material.reflection) > 0 or material.fresnel else "off"
+        collect = "" if material.is_diffuse else "collect off"
+        return block("photons", ["target", f"refraction {refraction}", f"reflection {reflection}", collect])

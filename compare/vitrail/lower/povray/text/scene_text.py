@@ -1,0 +1,95 @@
+"""The whole text of one execution: settings, camera, lights, objects, in this order."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from vitrail.lower.povray.bodies.gaps import Placement
+from vitrail.lower.povray.bodies.normalise import Normalisation
+from vitrail.lower.povray.photons.depth import TraceDepth
+from vitrail.lower.povray.photons.photons import PhotonPass
+from vitrail.lower.povray.photons.radiosity import radiosity_sdl
+from vitrail.lower.povray.text.camera import HALF_SHIFTS, camera_sdl
+from vitrail.lower.povray.text.exposure import Exposure, Triplet
+from vitrail.lower.povray.text.lights import Source, light_sdl
+from vitrail.lower.povray.text.objects import ObjectText
+from vitrail.lower.povray.text.sdl import block, number, rgb
+from vitrail.lower.povray.text.sky import Skies, SkyPicture
+from vitrail.plan.budget import Quality
+from vitrail.plan.plan import Plan
+from vitrail.scene.model import Ambient, Scene
+
+
+@dataclass(frozen=True)
+class SceneText:
+    """What all executions of a scene share; ``lights`` differ by half where they are grids."""
+
+    scene: Scene
+    plan: Plan
+    units: Normalisation
+    lights: Mapping[str, tuple[Source, ...]]
+    skies: Skies
+    photons: PhotonPass | None
+    depth: TraceDepth
+    placement: Placement
+    objects: ObjectText
+    quality: Quality
+
+    def sdl(self, half: str, exposure: Exposure, samples_across: int, photon_file: str, sky: SkyPicture | None) -> str:
+        """The text; ``photon_file`` says what happens to the photon map, and without it there are no photons."""
+        scene, placed = self.scene, self.placement.placed
+        is_shooting = photon_file == "save_file"
+        lines = [
+            "#version 3.7;",
+            self._globals(half, exposure, photon_file),
+            "#default { finish { ambient 0 emission 0 diffuse 0 } }",
+            f"background {{ {rgb(exposure.light(self._sky()))} }}" if sky is None else sky.sdl,
+            camera_sdl(scene.camera, scene.image, samples_across, HALF_SHIFTS[half], self.units),
+        ]
+        lines += [light_sdl(source, exposure) for source in self.lights[half] if _shines(source, exposure)]
+        for index, shape in enumerate(placed):
+            if index not in self.objects.nesting.omitted:
+                lines.append(self.objects.sdl(index, shape, exposure, is_shooting))
+        return "\n".join(lines) + "\n"
+
+    def sky_picture(self, exposure: Exposure) -> SkyPicture | None:
+        """What a ray of a run sees that meets nothing, where that is an image."""
+        found = [sky.picture(exposure, self._sky()) for sky in self.skies.values()]
+        return found[0] if found else None
+
+    def has_light(self, half: str, exposure: Exposure) -> bool:
+        """Whether any light shines in the channel of a run."""
+        return any(_shines(source, exposure) for source in self.lights[half])
+
+    def _globals(self, half: str, exposure: Exposure, photon_file: str) -> str:
+        return block(
+            "global_settings",
+            [
+                "assumed_gamma 1",
+                f"max_trace_level {self.depth.level}",
+                f"adc_bailout {number(self.depth.adc_bailout)}",
+                self._ambient(exposure),
+                radiosity_sdl(self.scene, self.quality, half) if self.scene.transport.indirect == "photons" else "",
+                self.photons.sdl(half, photon_file) if self.photons is not None and photon_file else "",
+            ],
+        )
+
+    def _ambient(self, exposure: Exposure) -> str:
+        """The constant irradiance of ``indirect: {ambient: c}``; surfaces answer to it with ``ambient 1``."""
+        indirect = self.scene.transport.indirect
+        if not isinstance(indirect, Ambient):
+            return ""
+        red, green, blue = exposure.light(indirect.ambient)
+        return f"ambient_light {rgb((red / math.pi, green / math.pi, blue / math.pi))}"
+
+    def _sky(self) -> Triplet:
+        """What a ray sees that meets nothing: the constant environments."""
+        found = [light.environment.radiance for light in self.scene.lights if light.environment is not None]
+        red, green, blue = (math.fsum(sky[channel] for sky in found if sky is not None) for channel in range(3))
+        return (red, green, blue)
+
+
+def _shines(source: Source, exposure: Exposure) -> bool:
+    return max(exposure.share(source.strength)) > 0

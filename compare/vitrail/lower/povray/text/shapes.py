@@ -1,0 +1,122 @@
+"""Shapes as POV-Ray objects, in units.
+
+World-coordinate shapes are written with their numbers; shapes with own axes carry one ``matrix``. The texture is
+added after the matrix, so patterns are always in world coordinates.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import assert_never
+
+from vitrail.base.vector import Vec, add, dot, scale, unit
+from vitrail.geometry.placement import Frame, Placed
+from vitrail.lower.povray.bodies.meshes import mesh_parts
+from vitrail.lower.povray.bodies.normalise import Normalisation
+from vitrail.lower.povray.text.sdl import block, matrix, number, vector
+from vitrail.scene.model import Box, Cone, Cylinder, Disc, Lens, Mesh, Plane, Prism, Rectangle, Sphere
+
+
+@dataclass(frozen=True)
+class Primitive:
+    """The keyword of a POV-Ray object and the parts that come before its texture."""
+
+    keyword: str
+    parts: tuple[str, ...]
+
+
+def primitive(placed: Placed, normalisation: Normalisation) -> Primitive:
+    """The POV-Ray object of a placed shape."""
+    shape, units = placed.shape, normalisation
+    match shape:
+        case Sphere():
+            return Primitive("sphere", (f"{vector(units.point(shape.center))}, {number(units.length(shape.radius))}",))
+        case Plane():
+            normal = unit(shape.normal)
+            return Primitive("plane", (f"{vector(normal)}, {number(dot(normal, units.point(shape.point)))}",))
+        case Rectangle():
+            return _rectangle(shape, units)
+        case Disc():
+            centre = vector(units.point(shape.center))
+            return Primitive("disc", (f"{centre}, {vector(unit(shape.normal))}, {number(units.length(shape.radius))}",))
+        case Box():
+            return Primitive("box", (_corners(shape, units), _frame(placed.frame, units)))
+        case Cylinder():
+            ends = f"{vector(units.point(shape.from_))}, {vector(units.point(shape.to))}"
+            return Primitive("cylinder", (f"{ends}, {number(units.length(shape.radius))}",))
+        case Cone():
+            first = f"{vector(units.point(shape.from_))}, {number(units.length(shape.radius_from))}"
+            last = f"{vector(units.point(shape.to))}, {number(units.length(shape.radius_to))}"
+            return Primitive("cone", (f"{first}, {last}",))
+        case Prism():
+            return _prism(shape, placed.frame, units)
+        case Lens():
+            return _lens(shape, placed.frame, units)
+        case Mesh():
+            return Primitive("mesh2", mesh_parts(placed, units))
+        case _:
+            assert_never(shape)
+
+
+def _rectangle(shape: Rectangle, units: Normalisation) -> Primitive:
+    """A polygon: one flat primitive, so that no seam between two triangles can leak."""
+    centre, u, v = units.point(shape.center), units.vector(shape.u), units.vector(shape.v)
+    corners = [add(centre, add(scale(u, a), scale(v, b))) for a, b in ((-1, -1), (1, -1), (1, 1), (-1, 1), (-1, -1))]
+    return Primitive("polygon", ("5, " + ", ".join(vector(corner) for corner in corners),))
+
+
+def aperture(shape: Rectangle | Disc, units: Normalisation) -> str:
+    """The outline of a collimated lamp, as an object for light to pass through."""
+    made = primitive(Placed(shape, Frame()), units)
+    return block(made.keyword, made.parts)
+
+
+def _prism(shape: Prism, frame: Frame, units: Normalisation) -> Primitive:
+    """POV-Ray sweeps a profile of (x, z) along y; ours lies in x, y and is swept along z."""
+    half = units.length(shape.height) / 2
+    corners = [(units.length(x), units.length(y)) for x, y in (*shape.corners, shape.corners[0])]
+    outline = ", ".join(f"<{number(x)}, {number(y)}>" for x, y in corners)
+    head = f"linear_sweep linear_spline {number(-half)}, {number(half)}, {len(corners)}, {outline}"
+    # Exchange y and z, then turn and move.
+    x, y, z = _axes(frame)
+    return Primitive("prism", (head, matrix((x, z, y), units.point(frame.origin))))
+
+
+def _lens(shape: Lens, frame: Frame, units: Normalisation) -> Primitive:
+    """A cylinder about z, cut by a ball for each curved face."""
+    thickness, rim = units.length(shape.thickness), units.length(shape.diameter) / 2
+    faces, ends = [], []
+    for radius_m, side in ((shape.radius_front, -1.0), (shape.radius_back, 1.0)):
+        vertex, radius = side * thickness / 2, units.length(radius_m)
+        if radius > 0:
+            faces.append(f"sphere {{ <0, 0, {number(vertex - side * radius)}>, {number(radius)} }}")
+            ends.append(vertex + side * rim)
+        elif radius < 0:
+            reach = min(rim, -radius)
+            sag = -radius - math.sqrt(max(0.0, radius * radius - reach * reach))
+            faces.append(f"sphere {{ <0, 0, {number(vertex - side * radius)}>, {number(-radius)} inverse }}")
+            ends.append(vertex + side * sag)
+        else:
+            ends.append(vertex)
+    body = f"cylinder {{ <0, 0, {number(ends[0])}>, <0, 0, {number(ends[1])}>, {number(rim)} }}"
+    return Primitive("intersection", (body, *faces, _frame(frame, units)))
+
+
+def _axes(frame: Frame) -> tuple[Vec, Vec, Vec]:
+    """Where the frame's x, y and z point in the world."""
+    x, y, z = zip(*frame.rotation, strict=True)
+    return x, y, z
+
+
+def _corners(shape: Box, units: Normalisation) -> str:
+    return f"{vector(units.vector(shape.min))}, {vector(units.vector(shape.max))}"
+
+
+def _frame(frame: Frame, units: Normalisation) -> str:
+    """The frame as a matrix; nothing where the scene is neither turned nor moved."""
+    origin = units.point(frame.origin)
+    axes = _axes(frame)
+    if axes == ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)) and origin == (0.0, 0.0, 0.0):
+        return ""
+    return matrix(axes, origin)

@@ -1,0 +1,100 @@
+"""Back end for our tracer: the scene as plain JSON, everything resolved, nothing left to look up.
+
+The result is what ``vitrail-tracer`` reads; ``tracer/README.md`` documents every key. What the plan does not require is
+taken out of the scene first (one band without dispersion, smooth faces without roughness, no depth beyond the longest
+chain), so that the tracer cannot spend time on it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+from vitrail.lower.tracer.lights import lowered_light
+from vitrail.lower.tracer.materials import bands_of, lowered_material
+from vitrail.lower.tracer.shapes import lowered_shape
+from vitrail.plan.budget import Settings
+from vitrail.plan.plan import Plan
+from vitrail.plan.reduced import reduced
+from vitrail.plan.view import view_of
+from vitrail.scene.model import Ambient, Object, Scene
+from vitrail.scene.print import scene_hash
+
+Json = dict[str, Any]
+
+
+def lower_tracer(
+    scene: Scene,
+    plan: Plan,
+    settings: Settings,
+    folder: Path | None = None,
+    *,
+    wavelength_nm: float | None = None,
+) -> Json:
+    """The tracer's input. ``folder`` is where the files that the scene names are sought; without it they stay as named.
+
+    All lengths are metres, all directions of unit length, colours linear Rec. 709; ``canonical_json`` prints it.
+    """
+    kept, bands = reduced(scene, plan), bands_of(scene, plan, wavelength_nm)
+    used = [name for name in scene.materials if any(item.material == name for item in scene.objects)]
+    return {
+        "vitrail_lowered": 1,
+        "title": scene.title,
+        "scene_hash": scene_hash(scene),
+        "image": {"width": scene.image.width, "height": scene.image.height},
+        "camera": _camera(scene),
+        "bands": [asdict(band) for band in bands],
+        "materials": [lowered_material(name, kept, bands) for name in used],
+        "objects": [_object(item, used, folder) for item in scene.objects],
+        "lights": [lowered_light(light, folder) for light in scene.lights],
+        "transport": _transport(kept),
+        "paper": scene.paper.model_dump(mode="json"),
+        "plan": plan.flags(),
+        "settings": _settings(settings),
+    }
+
+
+def _camera(scene: Scene) -> Json:
+    view = view_of(scene.camera, scene.image)
+    return {
+        "kind": scene.camera.kind,
+        "position": view.position,
+        "forward": view.forward,
+        "right": view.right,
+        "up": view.up,
+        "half_width": view.half_width,
+        "half_height": view.half_height,
+    }
+
+
+def _object(item: Object, used: list[str], folder: Path | None) -> Json:
+    return {
+        "name": item.name,
+        "material": used.index(item.material),
+        "priority": item.priority or 0,
+        "shape": lowered_shape(item, folder),
+    }
+
+
+def _transport(kept: Scene) -> Json:
+    """Depth limits are never beyond the longest specular chain of the plan."""
+    indirect = kept.transport.indirect
+    return {
+        "indirect": {"ambient": indirect.ambient} if isinstance(indirect, Ambient) else indirect,
+        "max_reflections": kept.transport.max_reflections,
+        "max_transmissions": kept.transport.max_transmissions,
+    }
+
+
+def _settings(settings: Settings) -> Json:
+    return {
+        "samples": settings.samples,
+        "photons": settings.photons,
+        "gather_radius_m": settings.gather_radius_m,
+        "seed": settings.seed,
+        "rough_samples": settings.rough_samples,
+        "final_gather_rays": settings.final_gather_rays,
+        "memory_limit_mb": settings.memory_limit_mb,
+        "solver": settings.solver,
+    }

@@ -1,0 +1,72 @@
+"""Shapes as the tracer reads them: moved into the world, or with the frame that moves them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any, assert_never
+
+from vitrail.base.vector import unit
+from vitrail.geometry.placement import Frame, place
+from vitrail.scene.model import (
+    Box,
+    Cone,
+    Cylinder,
+    Disc,
+    Lens,
+    Mesh,
+    Object,
+    Plane,
+    Prism,
+    Rectangle,
+    Sphere,
+)
+
+Json = dict[str, Any]
+
+
+def lowered_shape(item: Object, folder: Path | None) -> Json:
+    """One shape; normals come out with unit length."""
+    placed = place(item)
+    shape, frame = placed.shape, lowered_frame(placed.frame)
+    match shape:
+        case Sphere():
+            return {"kind": "sphere", "center": shape.center, "radius": shape.radius}
+        case Plane():
+            return {"kind": "plane", "point": shape.point, "normal": unit(shape.normal)}
+        case Rectangle() | Disc():
+            return flat_shape(shape)
+        case Box():
+            return {"kind": "box", "min": shape.min, "max": shape.max, "frame": frame}
+        case Cylinder():
+            return {"kind": "cylinder", "from": shape.from_, "to": shape.to, "radius": shape.radius}
+        case Cone():
+            ends = {"radius_from": shape.radius_from, "radius_to": shape.radius_to}
+            return {"kind": "cone", "from": shape.from_, "to": shape.to, **ends}
+        case Prism():
+            return {"kind": "prism", "corners": shape.corners, "height": shape.height, "frame": frame}
+        case Lens():
+            return {"kind": "lens", **shape.model_dump(), "frame": frame}
+        case Mesh():
+            return {"kind": "mesh", "file": beside(shape.file, folder), "smooth": shape.smooth, "frame": frame}
+        case _:
+            assert_never(shape)
+
+
+def flat_shape(shape: Rectangle | Disc) -> Json:
+    """A rectangle or disc that already stands in the world, as an object or as a lamp."""
+    match shape:
+        case Rectangle():
+            return {"kind": "rectangle", "center": shape.center, "u": shape.u, "v": shape.v}
+        case Disc():
+            return {"kind": "disc", "center": shape.center, "normal": unit(shape.normal), "radius": shape.radius}
+        case _:
+            assert_never(shape)
+
+
+def lowered_frame(frame: Frame) -> Json:
+    return {"origin": frame.origin, "rotation": frame.rotation, "identity": frame.is_identity}
+
+
+def beside(file: str, folder: Path | None) -> str:
+    """The file a scene names, sought beside the scene."""
+    return file if folder is None else str((folder / file).resolve())

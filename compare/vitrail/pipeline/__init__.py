@@ -1,0 +1,1 @@
+"""The main line: prepare, lower, run, measure, judge, for one scene or many."""

@@ -1,0 +1,174 @@
+"""Look for the whereabouts of a deviation: render the scene again with one thing after the other switched off.
+
+Only a scene in which the engines deviate from each other is looked at, with the settings of its last look, and only as
+far as its budget goes. A defect that is injected is injected into the ablated scene too.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+
+from vitrail.base.phenomenon import Phenomenon
+from vitrail.engines.base import EngineFailure, Progress
+from vitrail.images.exr import ImageError, ImageLayers, read_image
+from vitrail.judge.comparison import Cause, ObservationResult, Pair, Verdict
+from vitrail.judge.judgement import Residual, judge_observation
+from vitrail.judge.observe import NothingToMeasure, Observed, observe, patch_lights
+from vitrail.judge.patch_light import PatchLight
+from vitrail.judge.records import SceneResult
+from vitrail.judge.references import SceneTruth, read_scene_truth
+from vitrail.judge.thresholds import Thresholds
+from vitrail.judge.whereabouts import Switched, whereabouts
+from vitrail.lower.povray import NotTranslatable
+from vitrail.metrics.measurement import MetricError
+from vitrail.pipeline.render import lower_both, render_both
+from vitrail.pipeline.request import Request
+from vitrail.plan.ablation import Ablation, ablations
+from vitrail.plan.analyse import analyse
+from vitrail.plan.budget import settings_for
+from vitrail.scene.load import Loaded
+from vitrail.scene.model import Scene
+
+
+@dataclass(frozen=True)
+class AblatedLook:
+    """The numbers of a scene with something off, by observation; none, with the reason, where it was not rendered."""
+
+    ablation: Ablation
+    observed: Mapping[str, Observed]
+    light: Mapping[str, PatchLight]
+    residual: Residual = lambda phenomenon, whole_over_light: 0.0
+    cpu_s: float = 0.0
+    reason: str = ""
+
+
+@dataclass(frozen=True)
+class Search:
+    """What was tried for one scene. ``light`` is that of the scene itself, ``required`` what its plan requires."""
+
+    looks: tuple[AblatedLook, ...] = ()
+    light: Mapping[str, PatchLight] = field(default_factory=dict)
+    required: frozenset[Phenomenon] = frozenset()
+
+
+def deviates_between_engines(observation: ObservationResult) -> bool:
+    """Whether the engines deviate from each other by more than rounding."""
+    return any(
+        entry.pair is Pair.TRACER_POVRAY
+        and entry.verdict is Verdict.DEVIATES
+        and entry.attribution is not None
+        and entry.attribution.cause is Cause.MODEL
+        for entry in observation.comparisons
+    )
+
+
+def with_whereabouts(
+    results: Sequence[ObservationResult], search: Search, thresholds: Thresholds, level: float
+) -> tuple[ObservationResult, ...]:
+    """The observations of a scene, each that deviates between the engines with where and why."""
+    return tuple(
+        entry.model_copy(
+            update={
+                "where": whereabouts(entry, light, _switched(entry, search, thresholds, level), search.required, level)
+            }
+        )
+        if (light := search.light.get(entry.name)) is not None and deviates_between_engines(entry)
+        else entry
+        for entry in results
+    )
+
+
+def _switched(entry: ObservationResult, search: Search, thresholds: Thresholds, level: float) -> list[Switched]:
+    """What every look at an ablated scene says of one observation, judged by the same rules."""
+    found = []
+    for look in search.looks:
+        own, observed = look.ablation, look.observed.get(entry.name)
+        after = None if observed is None else judge_observation(observed, thresholds, look.residual, level)
+        light = look.light.get(entry.name)
+        found.append(Switched(own.name, own.words, own.absent, own.touched, own.darkens, after, light, look.reason))
+    return found
+
+
+def search_whereabouts(
+    loaded: Loaded,
+    references: Path,
+    record: SceneResult,
+    request: Request,
+    left_s: float,
+    progress: Progress,
+    *,
+    everywhere: bool = False,
+) -> Search:
+    """Every ablation of a judged scene that ``left_s`` CPU seconds pay for, priced by what the scene itself took.
+
+    Measured is what deviates between the engines, or ``everywhere``.
+    """
+    scene, plan = loaded.scene, analyse(loaded.scene)
+    request = _like_last_look(request, record)
+    wanted = {entry.name for entry in record.observations if everywhere or deviates_between_engines(entry)}
+    known = read_scene_truth(references, loaded.path.stem, scene)
+    # The same places are measured in the same way; what they should give by formula is another matter now.
+    truth = replace(known, truths={}, profiles={})
+    own = {image.side: read_image(request.out / image.exr) for image in record.images if image.side != "stored"}
+    radius_m = float(record.settings.get("gather_radius_m") or 0.0)
+    light = patch_lights(scene, own, truth, radius_m)
+    price_s = sum(engine.cpu_s or 0.0 for engine in record.engines)
+    looks = []
+    for ablation in ablations(scene, plan):
+        if price_s > left_s:
+            reason = f"about {price_s:.2g} CPU s each, and {max(left_s, 0):.2g} are left; --budget-s bounds it"
+            looks.append(AblatedLook(ablation, {}, {}, reason=reason))
+            continue
+        look = _look(loaded, ablation, truth, wanted, request, request.out / record.name / "ablated", progress)
+        left_s -= look.cpu_s
+        looks.append(look)
+    required = frozenset(phenomenon for phenomenon in Phenomenon if plan.requires(phenomenon))
+    return Search(tuple(looks), light, required)
+
+
+def _look(
+    loaded: Loaded,
+    ablation: Ablation,
+    truth: SceneTruth,
+    wanted: set[str],
+    request: Request,
+    place: Path,
+    progress: Progress,
+) -> AblatedLook:
+    """Render and measure one ablated scene; what goes wrong is said and ends nothing."""
+    scene = _observing(ablation.scene, wanted)
+    plan = analyse(scene)
+    settings = settings_for(scene, plan, request.quality, **request.overrides)
+    folder = place / ablation.name.replace(" ", "_")
+    try:
+        lowered = lower_both(replace(loaded, scene=scene), plan, settings, request)
+        made = render_both(lowered, folder, request, progress)
+        if any(rendering.interrupted for rendering in made.values()):
+            raise KeyboardInterrupt
+        cpu_s = sum(rendering.record.get("cpu_s", {}).get("total") or 0.0 for rendering in made.values())
+        images = {side: read_image(rendering.image_path) for side, rendering in made.items()}
+        observed = _observed(scene, images, truth, settings.gather_radius_m)
+        light = patch_lights(scene, images, truth, settings.gather_radius_m)
+    except (NotTranslatable, EngineFailure, ImageError, NothingToMeasure, MetricError) as error:
+        # The first clause says what went wrong; remedies are for a scene that somebody wrote.
+        return AblatedLook(ablation, {}, {}, reason=" ".join(str(error).split()).split(";")[0])
+    return AblatedLook(ablation, observed, light, lowered.certificate.bound, cpu_s)
+
+
+def _like_last_look(request: Request, record: SceneResult) -> Request:
+    """As many samples and photons as the scene had, and nothing but the two engines against each other."""
+    same = {key: record.settings[key] for key in ("samples", "photons", "seed") if record.settings.get(key)}
+    return replace(request, overrides={**same, **request.overrides}, against=("povray",))
+
+
+def _observing(scene: Scene, wanted: set[str]) -> Scene:
+    return scene.model_copy(update={"observe": tuple(entry for entry in scene.observe if entry.name in wanted)})
+
+
+def _observed(
+    scene: Scene, images: Mapping[str, ImageLayers], truth: SceneTruth, radius_m: float
+) -> dict[str, Observed]:
+    found = observe(scene, images, (Pair.TRACER_POVRAY,), truth, radius_m)
+    return {entry.observation.name: entry for entry in found}

@@ -1,0 +1,52 @@
+"""A defect of this program met in one scene: it is the end of that scene, with its traceback kept, and of no other."""
+
+from __future__ import annotations
+
+import errno
+import traceback
+
+from vitrail.images.exr import ImageError
+from vitrail.judge.records import SceneResult, Status
+from vitrail.judge.reference_files import ReferencesError
+from vitrail.judge.thresholds import ThresholdError
+from vitrail.pipeline.request import Request
+from vitrail.pipeline.scene_run import ended, unjudged
+from vitrail.scene.diagnostic import SceneErrors
+from vitrail.scene.load import Loaded
+
+TRACEBACK = "traceback.txt"
+"""The file beside a scene's results that says where the program failed."""
+
+
+def is_own_defect(error: Exception) -> bool:
+    """Whether nobody but this program is to blame: neither a scene, a reference, an image nor a place on disk."""
+    if isinstance(error, OSError):
+        # Writing to a full disk names no file.
+        return error.filename is None and error.errno not in (errno.ENOSPC, errno.EDQUOT)
+    return not isinstance(error, SceneErrors | ReferencesError | ThresholdError | ImageError)
+
+
+def defective(loaded: Loaded, name: str, request: Request, error: Exception) -> SceneResult:
+    """The record of a scene that met ``error``, whose traceback is written beside its results. Raises OSError."""
+    place = keep_traceback(name, request, error)
+    message = f"{_told(error)}; its traceback is in {place}, report it with the scene"
+    return ended(unjudged(loaded, name, request), Status.DEFECT, message)
+
+
+def unsearched(record: SceneResult, request: Request, error: Exception) -> str:
+    """The remark on a judged scene whose deviation could not be looked for; its verdict stands. Raises OSError."""
+    place = keep_traceback(record.name, request, error)
+    return f"where it deviates was not found: {_told(error)}; its traceback is in {place}, report it with the scene"
+
+
+def keep_traceback(name: str, request: Request, error: Exception) -> str:
+    """Write the traceback into the scene's folder; returns its path relative to that of ``results.json``."""
+    place = request.out / name / TRACEBACK
+    place.parent.mkdir(parents=True, exist_ok=True)
+    place.write_text("".join(traceback.format_exception(error)), encoding="utf-8")
+    return f"{name}/{TRACEBACK}"
+
+
+def _told(error: Exception) -> str:
+    words = " ".join(str(error).split())
+    return f"a defect of Vitrail itself: {type(error).__name__}{': ' if words else ''}{words}"

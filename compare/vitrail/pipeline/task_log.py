@@ -1,0 +1,93 @@
+"""The memory of a study: finished tasks survive SIGKILL, and the finished files do not tell how often it was killed.
+
+While a study runs, each finished task is one line appended and flushed to ``journal.jsonl``; a line torn by a kill is
+dropped at the next start, so at most the running task is lost. When every task has a row, ``samples.jsonl`` (results,
+in the order of the plan) and ``costs.jsonl`` are written whole and renamed into place.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+
+from vitrail.pipeline.task import Row, Task, canonical
+
+
+class TaskLog:
+    """Rows of one study in folder ``out``."""
+
+    def __init__(self, out: Path) -> None:
+        self.out = out
+        self.journal = out / "journal.jsonl"
+        self.rows: dict[str, Row] = {}
+        out.mkdir(parents=True, exist_ok=True)
+        self._read_journal()
+
+    def missing(self, tasks: Iterable[Task]) -> list[Task]:
+        """The tasks that have no row yet, each key once, in the given order."""
+        seen: set[str] = set(self.rows)
+        result = []
+        for task in tasks:
+            if task.key not in seen:
+                seen.add(task.key)
+                result.append(task)
+        return result
+
+    def append(self, row: Row) -> None:
+        """Remember a finished task durably before anything else happens."""
+        line = canonical({"result": row.result_line(), "cost": row.cost_line()})
+        with self.journal.open("ab") as file:
+            file.write(line.encode() + b"\n")
+            file.flush()
+            os.fsync(file.fileno())
+        self.rows[row.key] = row
+
+    def finish(self, tasks: Sequence[Task]) -> list[Row]:
+        """Write the study's files in the order of its plan, and return the rows in that order."""
+        ordered = [self.rows[key] for key in dict.fromkeys(task.key for task in tasks)]
+        _replace(self.out / "samples.jsonl", "".join(row.result_line() + "\n" for row in ordered))
+        _replace(self.out / "costs.jsonl", "".join(row.cost_line() + "\n" for row in ordered))
+        return ordered
+
+    def _read_journal(self) -> None:
+        """Keep every whole line; cut a torn last line off, so that the next append starts clean."""
+        if not self.journal.exists():
+            return
+        whole = 0
+        for line in self.journal.read_bytes().splitlines(keepends=True):
+            if not line.endswith(b"\n"):
+                break
+            try:
+                row = _row_of(json.loads(line))
+            except (ValueError, KeyError, TypeError):
+                break
+            self.rows[row.key] = row
+            whole += len(line)
+        with self.journal.open("r+b") as file:
+            file.truncate(whole)
+
+
+def read_rows(out: Path) -> list[Row]:
+    """Rows of a finished study, for analysis without rendering; raises FileNotFoundError before it has finished."""
+    costs = {record["key"]: record["cost"] for record in _lines(out / "costs.jsonl")}
+    return [
+        Row(r["key"], r["kind"], r["spec"], r.get("result"), r.get("failure"), costs.get(r["key"], {}))
+        for r in _lines(out / "samples.jsonl")
+    ]
+
+
+def _lines(path: Path) -> list[dict]:
+    return [json.loads(line) for line in path.read_text().splitlines()]
+
+
+def _row_of(record: dict) -> Row:
+    result, cost = json.loads(record["result"]), json.loads(record["cost"])
+    return Row(result["key"], result["kind"], result["spec"], result.get("result"), result.get("failure"), cost["cost"])
+
+
+def _replace(path: Path, text: str) -> None:
+    temporary = path.with_suffix(".new")
+    temporary.write_text(text)
+    temporary.replace(path)

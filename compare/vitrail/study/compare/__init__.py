@@ -1,1 +1,0 @@
-"""Scenes through both engines to verdicts: load, plan, lower, render, measure, judge."""

@@ -1,0 +1,61 @@
+"""A ball lens in a small picture, rendered by the real tracer in passes of a few photons."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from vitrail.check.check import check_file
+from vitrail.engines.base import Engine
+from vitrail.engines.tracer import Tracer
+from vitrail.judge.references import SceneTruth, read_scene_truth
+from vitrail.judge.thresholds import own_references, thresholds_of
+from vitrail.lower.tracer import lower_tracer
+from vitrail.pipeline.passes.interrupt import Interrupt
+from vitrail.pipeline.passes.run import Finished, Job, run_passes
+from vitrail.pipeline.passes.stop import Wish
+from vitrail.plan.analyse import analyse
+from vitrail.plan.budget import settings_for
+from vitrail.scene.load import load_text
+from vitrail.scene.model import Image, Scene
+
+ROOT = Path(__file__).parents[3]
+
+BALL = """
+vitrail: 1
+camera: {kind: orthographic, position: [0, 0, 2], look_at: [0, 0, 0], height: 1}
+image: {width: 24, height: 24}
+materials: {glow: {emission: 1}}
+objects: [{name: ball, sphere: {center: [0, 0, 0], radius: 0.4}, material: glow}]
+lights: []
+observe: [{name: ball, phenomenon: diffusion, patch: {center: [0, 0, 0], u: [0.45, 0, 0], v: [0, 0.45, 0]}}]
+"""
+"""Nothing is random but where a pixel is looked through; the ball fills pi 0.4^2 / 0.9^2 of the patch."""
+
+
+def ball_lens(pixels: int) -> Scene:
+    scene = check_file(ROOT / "scenes" / "calibration" / "ball_lens.yaml").scene_or_raise().scene
+    return scene.model_copy(update={"image": Image(width=pixels, height=pixels)})
+
+
+def job(out: Path, pixels: int = 32, threads: int = 1, engine: Engine | None = None, **settings: Any) -> Job:
+    """``settings`` replace those of normal quality; 5000 photons and 4 samples unless they say otherwise."""
+    scene = ball_lens(pixels)
+    truth = read_scene_truth(own_references(), "ball_lens", scene)
+    return _job(scene, truth, out, threads, engine, {"photons": 5000, "samples": 4, **settings})
+
+
+def glowing_ball(out: Path, threads: int = 1, **settings: Any) -> Job:
+    return _job(load_text(BALL).scene, SceneTruth(), out, threads, None, {"samples": 2, **settings})
+
+
+def _job(
+    scene: Scene, truth: SceneTruth, out: Path, threads: int, engine: Engine | None, settings: dict[str, Any]
+) -> Job:
+    plan = analyse(scene)
+    lowered = lower_tracer(scene, plan, settings_for(scene, plan, "normal", **settings))
+    return Job(scene, lowered, out, truth, thresholds_of(own_references()), engine or Tracer(), threads)
+
+
+def passes(work: Job, wish: Wish | int, *, resume: bool = False, **rest: Any) -> Finished:
+    return run_passes(work, Wish(wish) if isinstance(wish, int) else wish, Interrupt(), resume=resume, **rest)
