@@ -6,10 +6,8 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
+tools/build.sh release benchmarks
 mkdir -p build/bench
-cmake --preset release -DVITRAIL_BENCHMARKS=ON >build/bench/configure.log </dev/null ||
-  { cat build/bench/configure.log >&2; echo 'bench: FAILED: cmake; run tools/setup.sh if a package is missing' >&2; exit 1; }
-cmake --build build/release --parallel "${JOBS:-$(nproc)}" </dev/null
 .venv/bin/vitrail emit tracer scenes/calibration/ball_lens.yaml --out build/bench >/dev/null
 
 grep -m1 'model name' /proc/cpuinfo | sed 's/.*: /machine: /' || true
@@ -20,4 +18,4 @@ export VITRAIL_BENCHMARK_SCENE=build/bench/scene.json
 while IFS= read -r program; do
   printf '\n== %s\n' "$(basename "$program")"
   "$program" "$@"
-done < <(find build/release -type f -executable -name '*_benchmark' | sort)
+done < <(find build/release/benchmarks -type f -executable -name 'benchmark_*' | sort)

@@ -1,25 +1,11 @@
-// How fast the tracer is from a ray to a frame, on one thread: hits in any order, and a whole small picture.
-//
-// Rates count what a user waits for: rays and pixels. The scene of the picture is the lowered ball lens named by
-// VITRAIL_BENCHMARK_SCENE; tools/bench.sh emits it.
+// How fast one ray finds its nearest hit, on one thread: spheres, rays in no order, by list and by Embree.
 #include <benchmark/benchmark.h>
-
-#include <cstdlib>
-#include <stdexcept>
 
 #include "base/random.h"
 #include "geometry/accel.h"
-#include "render/render.h"
-#include "scene/read.h"
 
 namespace vitrail {
 namespace {
-
-Scene ball_lens() {
-  const char* path = std::getenv("VITRAIL_BENCHMARK_SCENE");
-  if (path == nullptr) throw std::runtime_error("VITRAIL_BENCHMARK_SCENE names no lowered scene; run `make bench`");
-  return read_scene(path);
-}
 
 double unit(std::uint64_t index, std::uint32_t dimension) {
   return uniform(stream_of(1, Purpose::kPixel), index, dimension);
@@ -70,19 +56,5 @@ BENCHMARK(closest_hit)
     ->Args({32, 1})
     ->Args({1000, 1});
 
-// A whole small picture of the ball lens, photons included.
-void frame(benchmark::State& state) {
-  Scene scene = ball_lens();
-  scene.settings.photons = 100'000;
-  for (auto _ : state) {
-    SilentMonitor monitor;
-    benchmark::DoNotOptimize(render(scene, 1, monitor));
-  }
-  state.SetItemsProcessed(state.iterations() * scene.image.width * scene.image.height);
-}
-BENCHMARK(frame)->Unit(benchmark::kMillisecond);
-
 }  // namespace
 }  // namespace vitrail
-
-BENCHMARK_MAIN();

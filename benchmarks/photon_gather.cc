@@ -26,7 +26,7 @@ std::vector<std::vector<PhotonRecord>> photons() {
 // The radius that finds so many photons where they are spread evenly over the 4 x 4 square.
 double radius_for(double mean) { return std::sqrt(mean * 16 / (M_PI * kPhotons)); }
 
-void BM_BuildGrid(benchmark::State& state) {
+void build_grid(benchmark::State& state) {
   const auto blocks = photons();
   for (auto _ : state) {
     state.PauseTiming();
@@ -36,10 +36,10 @@ void BM_BuildGrid(benchmark::State& state) {
   }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(kPhotons));
 }
-BENCHMARK(BM_BuildGrid)->Unit(benchmark::kMillisecond);
+BENCHMARK(build_grid)->Unit(benchmark::kMillisecond);
 
 // Queries along scan lines of a 600 x 600 image, as the camera makes them.
-void BM_Gather(benchmark::State& state) {
+void gather(benchmark::State& state) {
   const PhotonMap map({}, photons(), radius_for(static_cast<double>(state.range(0))));
   constexpr int kSide = 600;
   int pixel = 0;
@@ -50,7 +50,7 @@ void BM_Gather(benchmark::State& state) {
   }
   state.SetItemsProcessed(state.iterations());
 }
-BENCHMARK(BM_Gather)->Arg(10)->Arg(60)->Arg(600);
+BENCHMARK(gather)->Arg(10)->Arg(60)->Arg(600);
 
 }  // namespace
 }  // namespace vitrail

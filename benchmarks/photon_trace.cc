@@ -42,20 +42,20 @@ void trace_ball(benchmark::State& state, bool fresnel, PhotonWay way) {
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(kBlock));
 }
 
-void BM_PhotonsThroughABall(benchmark::State& state) { trace_ball(state, false, PhotonWay::automatic); }
-void BM_PhotonsThroughABallWithFresnel(benchmark::State& state) { trace_ball(state, true, PhotonWay::automatic); }
-void BM_PhotonsThroughABallOneByOne(benchmark::State& state) { trace_ball(state, false, PhotonWay::one_by_one); }
-BENCHMARK(BM_PhotonsThroughABall);
-BENCHMARK(BM_PhotonsThroughABallWithFresnel);
-BENCHMARK(BM_PhotonsThroughABallOneByOne);
+void photons_through_ball(benchmark::State& state) { trace_ball(state, false, PhotonWay::automatic); }
+void photons_through_ball_with_fresnel(benchmark::State& state) { trace_ball(state, true, PhotonWay::automatic); }
+void photons_through_ball_one_by_one(benchmark::State& state) { trace_ball(state, false, PhotonWay::one_by_one); }
+BENCHMARK(photons_through_ball);
+BENCHMARK(photons_through_ball_with_fresnel);
+BENCHMARK(photons_through_ball_one_by_one);
 
-void BM_SobolPoints2D(benchmark::State& state) {
+void sobol_points_2d(benchmark::State& state) {
   const Stream stream = stream_of(1, Purpose::kEmissionPosition);
   std::uint32_t i = 0;
   for (auto _ : state) benchmark::DoNotOptimize(sobol_2d(stream, i++));
   state.SetItemsProcessed(state.iterations());
 }
-BENCHMARK(BM_SobolPoints2D);
+BENCHMARK(sobol_points_2d);
 
 }  // namespace
 }  // namespace vitrail
