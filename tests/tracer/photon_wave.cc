@@ -1,6 +1,6 @@
 /// The quick ways against the plain ones: many photons at once against one by one, vector formulas against optics.
 
-#include "photon/photon_wave.h"
+#include "photon/wave/photon_wave.h"
 
 #include <gtest/gtest.h>
 
@@ -13,10 +13,10 @@
 namespace vitrail {
 namespace {
 
-TEST(BendLanes, AgreeWithOpticsRayByRay) {
+TEST(DielectricLanes, AgreeWithOpticsRayByRay) {
   TestNumbers numbers;
-  auto lanes = std::make_unique<BendLanes>();
-  lanes->count = BendLanes::kCapacity;
+  auto lanes = std::make_unique<DielectricLanes>();
+  lanes->count = DielectricLanes::kCapacity;
   std::vector<IndexPair> index(lanes->count);
   std::vector<Vec3> direction(lanes->count), normal(lanes->count);
   for (std::size_t i = 0; i < lanes->count; ++i) {
@@ -35,8 +35,8 @@ TEST(BendLanes, AgreeWithOpticsRayByRay) {
     lanes->ior_step[i] = index[i].step();
   }
   refract(*lanes);
-  find_shares(*lanes);
-  mirror(*lanes);
+  find_fresnel_shares(*lanes);
+  reflect(*lanes);
   int total = 0;
   for (std::size_t i = 0; i < lanes->count; ++i) {
     // The same operations in another order of division: a few units in the last place of a unit vector.

@@ -1,5 +1,5 @@
 #pragma once
-//// The innermost loop of the photon map: sum the flux of the photons inside one disc.
+/// The innermost loop of the photon map: sum the flux of the photons inside one disc.
 
 #include <array>
 #include <cstdint>

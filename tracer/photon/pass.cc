@@ -4,7 +4,7 @@
 
 #include "base/cpu_clock.h"
 #include "base/parallel.h"
-#include "photon/beam_pass.h"
+#include "photon/beams/beam_pass.h"
 
 namespace vitrail {
 namespace {

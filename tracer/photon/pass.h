@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "base/monitor.h"
-#include "photon/beam_map.h"
+#include "photon/beams/beam_map.h"
 #include "photon/trace.h"
 
 namespace vitrail {

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "photon/photon_tree.h"
-#include "photon/photon_wave.h"
+#include "photon/wave/photon_wave.h"
 
 namespace vitrail {
 namespace {

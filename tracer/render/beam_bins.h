@@ -3,7 +3,7 @@
 
 #include "base/monitor.h"
 #include "geometry/accel.h"
-#include "photon/beam_map.h"
+#include "photon/beams/beam_map.h"
 #include "render/film.h"
 
 namespace vitrail {

@@ -7,7 +7,7 @@
 namespace vitrail {
 
 /// Rays at faces, side by side. The caller fills in the first part.
-struct BendLanes {
+struct DielectricLanes {
   static constexpr std::size_t kCapacity = 256;
   using Column = std::array<double, kCapacity>;
 
@@ -22,10 +22,10 @@ struct BendLanes {
   alignas(64) Column share_R, share_T;  // of a refraction that is not total
 };
 
-void mirror(BendLanes& lanes);
+void reflect(DielectricLanes& lanes);
 /// Refracted directions [S eq. 5 corrected, O 1.2].
-void refract(BendLanes& lanes);
+void refract(DielectricLanes& lanes);
 /// Scalar Fresnel shares, after `refract`.
-void find_shares(BendLanes& lanes);
+void find_fresnel_shares(DielectricLanes& lanes);
 
 }  // namespace vitrail

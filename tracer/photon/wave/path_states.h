@@ -13,8 +13,20 @@ namespace vitrail {
 /// No object: the photon did not depart from any, is in air, or meets nothing.
 inline constexpr std::int32_t kNoObject = -1;
 
-/// What of a photon no vector loop works on.
-struct PhotonState {
+/// A side of an object: the one that a ray meets, or the one that it departed from.
+struct HitId {
+  std::int32_t object = kNoObject;
+  bool entering = false;  // the ray goes on, or would go on, inside the object
+
+  /// One number per lane, so that loops compare and select: 2 object + entering; negative for no object.
+  constexpr std::int64_t lane() const { return object < 0 ? kNoObject : 2 * std::int64_t{object} + (entering ? 1 : 0); }
+  static constexpr HitId of_lane(std::int64_t lane) {
+    return lane < 0 ? HitId{} : HitId{static_cast<std::int32_t>(lane >> 1), (lane & 1) != 0};
+  }
+};
+
+/// The part of a photon's state that is whole numbers: no vector loop works on it.
+struct DiscreteState {
   std::int32_t departed_face = 0;
   std::int32_t medium = kNoObject;  // the one solid it is in
   std::int16_t band = -1;           // -1 before the first face that tells bands apart
@@ -29,13 +41,13 @@ struct PhotonState {
 };
 
 /// Photons between two events, as many as there are.
-class PhotonLanes {
+class PathStates {
  public:
   std::size_t size() const { return size_; }
   void clear() { size_ = 0; }
 
-  /// `departed`: 2 object + (1 if the ray goes on inside it), or -1. `least`: W; a branch below this is cut off.
-  void add(Vec3 origin, Vec3 direction, Rgb flux, double least, std::int64_t departed, const PhotonState& state) {
+  /// `least`: W; a branch below this is cut off.
+  void add(Vec3 origin, Vec3 direction, Rgb flux, double least, HitId departed, const DiscreteState& state) {
     if (size_ == room_) grow();
     double* value = values_.data() + size_;
     for (const double v :
@@ -43,7 +55,7 @@ class PhotonLanes {
       *value = v;
       value += room_;
     }
-    departed_[size_] = departed;
+    departed_[size_] = departed.lane();
     states_[size_++] = state;
   }
 
@@ -59,20 +71,21 @@ class PhotonLanes {
   double* flux_column(int channel) { return column(6 + channel); }
   double* least_column() { return column(9); }
   std::int64_t* departed() { return departed_.data(); }
-  PhotonState* states() { return states_.data(); }
+  DiscreteState* states() { return states_.data(); }
 
   const double* origin(int axis) const { return column(axis); }
   const double* direction(int axis) const { return column(3 + axis); }
   const double* least_column() const { return column(9); }
+  /// One HitId::lane each.
   const std::int64_t* departed() const { return departed_.data(); }
-  const PhotonState* states() const { return states_.data(); }
+  const DiscreteState* states() const { return states_.data(); }
 
   Ray ray(std::size_t i) const {
     return {{column(0)[i], column(1)[i], column(2)[i]}, {column(3)[i], column(4)[i], column(5)[i]}};
   }
   Rgb flux(std::size_t i) const { return {column(6)[i], column(7)[i], column(8)[i]}; }
   double least(std::size_t i) const { return column(9)[i]; }
-  const PhotonState& state(std::size_t i) const { return states_[i]; }
+  const DiscreteState& state(std::size_t i) const { return states_[i]; }
 
  private:
   static constexpr std::size_t kColumns = 10;
@@ -95,7 +108,7 @@ class PhotonLanes {
   std::size_t size_ = 0, room_ = 0;
   std::vector<double> values_;
   std::vector<std::int64_t> departed_;
-  std::vector<PhotonState> states_;
+  std::vector<DiscreteState> states_;
 };
 
 /// Some photons of the lanes, and what they meet.
@@ -105,11 +118,11 @@ struct RayChunk {
   // The rays.
   int count = 0;
   std::array<const double*, 3> origin, direction;
-  const std::int64_t* departed = nullptr;
-  const PhotonState* states = nullptr;
+  const std::int64_t* departed = nullptr;  // HitId::lane
+  const DiscreteState* states = nullptr;
 
-  // The answers: distance of the nearest hit and of the next object's; 2 object + (1 if the ray enters it), or -1; its
-  // face; and whether the two hits are too close together to tell which is first.
+  // The answers: distance of the nearest hit and of the next object's; the nearest one's HitId::lane and face; and
+  // whether the two hits are too close together to tell which is first.
   alignas(64) std::array<double, kCapacity> nearest, next;
   alignas(64) std::array<std::int64_t, kCapacity> met, too_close;
   std::array<std::int32_t, kCapacity> met_face;

@@ -1,12 +1,12 @@
 #pragma once
-/// The nearest hits of many rays at once in a scene of few objects: each object is asked for all rays in one loop that
+/// The nearest hits of many rays at once in a small scene: each object is asked for all rays in one loop that
 /// the compiler turns into vector instructions. Plain doubles, no exact sums: where two surfaces lie too close together
 /// to tell which is first, it says so and leaves the ray to the general search.
 
 #include <vector>
 
 #include "geometry/primitive.h"
-#include "photon/photon_lanes.h"
+#include "photon/wave/path_states.h"
 
 namespace vitrail {
 
@@ -16,13 +16,13 @@ struct SurfaceLanes {
   alignas(64) std::array<std::array<double, kCapacity>, 3> point, normal;
 };
 
-class FewObjects {
+class SmallSceneIntersector {
  public:
   static constexpr std::size_t kMost = 32;
 
   /// Whether the scene is small enough and has no mesh.
-  static bool suit(const Scene& scene);
-  explicit FewObjects(const Scene& scene);
+  static bool suits(const Scene& scene);
+  explicit SmallSceneIntersector(const Scene& scene);
 
   /// Fill in the answers for all rays of a chunk.
   void find(RayChunk& rays) const;
@@ -33,7 +33,7 @@ class FewObjects {
 
  private:
   struct Item {
-    std::int64_t object;
+    std::int32_t object;
     Shape shape;          // in world coordinates
     Primitive primitive;  // the same, for the shapes without a loop of their own
   };

@@ -1,4 +1,4 @@
-#include "photon/beam_map.h"
+#include "photon/beams/beam_map.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,10 +1,10 @@
-#include "photon/bend_lanes.h"
+#include "photon/wave/dielectric_lanes.h"
 
 #include <cmath>
 
 namespace vitrail {
 
-void mirror(BendLanes& lanes) {
+void reflect(DielectricLanes& lanes) {
   for (std::size_t i = 0; i < lanes.count; ++i) {
     const double dx = lanes.direction[0][i], dy = lanes.direction[1][i], dz = lanes.direction[2][i];
     const double nx = lanes.normal[0][i], ny = lanes.normal[1][i], nz = lanes.normal[2][i];
@@ -17,7 +17,7 @@ void mirror(BendLanes& lanes) {
   }
 }
 
-void refract(BendLanes& lanes) {
+void refract(DielectricLanes& lanes) {
   for (std::size_t i = 0; i < lanes.count; ++i) {
     const double dx = lanes.direction[0][i], dy = lanes.direction[1][i], dz = lanes.direction[2][i];
     const double nx = lanes.normal[0][i], ny = lanes.normal[1][i], nz = lanes.normal[2][i];
@@ -48,7 +48,7 @@ void refract(BendLanes& lanes) {
 }
 
 // R and T each on its own, as optics/fresnel does.
-void find_shares(BendLanes& lanes) {
+void find_fresnel_shares(DielectricLanes& lanes) {
   for (std::size_t i = 0; i < lanes.count; ++i) {
     const double n1 = lanes.ior_from[i], n2 = lanes.ior_to[i], step = lanes.ior_step[i];
     const double c1 = lanes.cos_in[i], c2 = lanes.cos_out[i], eta = n1 / n2;

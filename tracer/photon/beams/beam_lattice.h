@@ -9,7 +9,7 @@
 #include <memory>
 
 #include "light/light.h"
-#include "photon/beam.h"
+#include "photon/beams/beam.h"
 #include "photon/trace.h"
 
 namespace vitrail {

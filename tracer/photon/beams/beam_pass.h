@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "photon/beam_lattice.h"
+#include "photon/beams/beam_lattice.h"
 #include "photon/pass.h"
 
 namespace vitrail {

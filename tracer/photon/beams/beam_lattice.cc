@@ -1,4 +1,4 @@
-#include "photon/beam_lattice.h"
+#include "photon/beams/beam_lattice.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "photon/beam_pass.h"
+#include "photon/beams/beam_pass.h"
 
 #include "base/cpu_clock.h"
 #include "base/parallel.h"

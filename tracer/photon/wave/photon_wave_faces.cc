@@ -3,24 +3,23 @@
 #include <utility>
 
 #include "optics/absorption.h"
-#include "photon/photon_wave.h"
+#include "photon/wave/photon_wave.h"
 
 namespace vitrail {
 
 // Bring the photons of one object and side together, less what the media on their way have kept.
-void PhotonWave::arrive(std::int64_t met, const std::vector<std::uint16_t>& rays, std::size_t first) {
+void PhotonWave::arrive(HitId met, const std::vector<std::uint16_t>& rays, std::size_t first) {
   Group& group = *group_;
-  group.object = static_cast<std::uint32_t>(met >> 1);
-  group.entering = (met & 1) != 0;
+  group.met = met;
   group.count = rays.size();
-  const double side = group.entering ? 1 : -1;
+  const double side = met.entering ? 1 : -1;
   Rgb emitted;
   for (std::size_t i = 0; i < group.count; ++i) {
     const std::size_t ray = rays[i], lane = first + ray;
     const double t = rays_->nearest[ray];
     group.lane[i] = static_cast<std::uint32_t>(lane);
     group.face[i] = rays_->met_face[ray];
-    const PhotonState& state = now_.state(lane);
+    const DiscreteState& state = now_.state(lane);
     const Vec3 point = now_.ray(lane).at(t);
     const Rgb flux = now_.flux(lane);
     group.band[i] = state.band;
@@ -36,12 +35,12 @@ void PhotonWave::arrive(std::int64_t met, const std::vector<std::uint16_t>& rays
     for (int a = 0; a < 3; ++a) group.flux[a][i] = after[a];
   }
   block_.ledger.emitted += emitted;
-  objects_.settle(group.object, group.face.data(), static_cast<int>(group.count), group.at);
+  objects_.settle(static_cast<std::uint32_t>(met.object), group.face.data(), static_cast<int>(group.count), group.at);
   for (auto& column : group.at.normal) {
     for (std::size_t i = 0; i < group.count; ++i) column[i] *= side;
   }
 
-  const Face& face = faces_[group.object];
+  const Face& face = face_of(group);
   if (!face.mirrors && !face.transmits) {
     stop(group);
   } else if (face.disperses) {
@@ -56,7 +55,7 @@ void PhotonWave::stop(const Group& group) {
   Rgb stored, absorbed;
   for (std::size_t i = 0; i < group.count; ++i) {
     const Rgb flux = group.flux_of(i);
-    if (faces_[group.object].stores && now_.state(group.lane[i]).has_bounced()) {
+    if (face_of(group).stores && now_.state(group.lane[i]).has_bounced()) {
       store(group, i);
       stored += flux;
     } else {
@@ -84,42 +83,42 @@ void PhotonWave::divide_by_band(Group& group) {
 }
 
 // Find the ways on from a face between air and one glass, or on something opaque.
-void PhotonWave::bend_all(const Group& group) {
-  const Face& face = faces_[group.object];
+void PhotonWave::find_lobes(const Group& group) {
+  const Face& face = face_of(group);
   const Material& material = *face.material;
-  BendLanes& bend = *bend_;
-  bend.count = group.count;
-  bend.normal = group.at.normal;
+  DielectricLanes& lanes = *lanes_;
+  lanes.count = group.count;
+  lanes.normal = group.at.normal;
   for (int a = 0; a < 3; ++a) {
     const double* const direction = std::as_const(now_).direction(a);
-    for (std::size_t i = 0; i < group.count; ++i) bend.direction[a][i] = direction[group.lane[i]];
+    for (std::size_t i = 0; i < group.count; ++i) lanes.direction[a][i] = direction[group.lane[i]];
   }
 
   // The index on the arriving side, and behind the face; an opaque mirror has its own.
   for (std::size_t i = 0; i < group.count; ++i) {
     const std::size_t band = group.band[i] < 0 ? 0 : static_cast<std::size_t>(group.band[i]);
     const double own = material.ior_by_band[band], own_minus_one = material.ior_minus_one_by_band[band];
-    const bool leaves = face.transmits && !group.entering;
-    bend.ior_from[i] = leaves ? own : 1;
-    bend.ior_to[i] = leaves ? 1 : own;
-    bend.ior_step[i] = leaves ? -own_minus_one : own_minus_one;
+    const bool leaves = face.transmits && !group.met.entering;
+    lanes.ior_from[i] = leaves ? own : 1;
+    lanes.ior_to[i] = leaves ? 1 : own;
+    lanes.ior_step[i] = leaves ? -own_minus_one : own_minus_one;
     const std::int32_t around = now_.state(group.lane[i]).medium;
     if (face.transmits || around == kNoObject) continue;
     const Material& medium = *faces_[static_cast<std::size_t>(around)].material;
-    bend.ior_from[i] = medium.ior_by_band[band];
-    bend.ior_step[i] = own_minus_one - medium.ior_minus_one_by_band[band];
+    lanes.ior_from[i] = medium.ior_by_band[band];
+    lanes.ior_step[i] = own_minus_one - medium.ior_minus_one_by_band[band];
   }
-  refract(bend);
-  if (material.fresnel) find_shares(bend);
+  refract(lanes);
+  if (material.fresnel) find_fresnel_shares(lanes);
 }
 
 // Divide the light as `interact` does: a fixed share each way, or the pool by Fresnel; all of the pool where the
 // reflection is total.
 void PhotonWave::divide(const Group& group) {
-  bend_all(group);
-  const Face& face = faces_[group.object];
+  find_lobes(group);
+  const Face& face = face_of(group);
   const Material& material = *face.material;
-  const BendLanes& bend = *bend_;
+  const DielectricLanes& lanes = *lanes_;
   const bool glass = face.transmits, by_fresnel = material.fresnel;
   const bool drops = glass && scene_.paper.tir_drop, has_fixed_shares = !glass && !by_fresnel;
   const Rgb beyond = drops || has_fixed_shares ? material.reflection : face.pool;
@@ -128,9 +127,9 @@ void PhotonWave::divide(const Group& group) {
     const double beyond_c = beyond[c];
     const double* const flux = group.flux[c].data();
     for (std::size_t i = 0; i < group.count; ++i) {
-      const bool total = bend.radicand[i] < 0;
-      const double mirrored = total ? beyond_c : by_fresnel ? pool * bend.share_R[i] : r;
-      const double refracted = total || !glass ? 0.0 : by_fresnel ? pool * bend.share_T[i] : t;
+      const bool total = lanes.radicand[i] < 0;
+      const double mirrored = total ? beyond_c : by_fresnel ? pool * lanes.share_R[i] : r;
+      const double refracted = total || !glass ? 0.0 : by_fresnel ? pool * lanes.share_T[i] : t;
       mirrored_[c][i] = flux[i] * mirrored;
       refracted_[c][i] = flux[i] * refracted;
       left_[c][i] = flux[i] - mirrored_[c][i] - refracted_[c][i];
@@ -139,12 +138,12 @@ void PhotonWave::divide(const Group& group) {
 
   // Send on what there is.
   bool any_total = false;
-  for (std::size_t i = 0; i < group.count; ++i) any_total = any_total | (bend.radicand[i] < 0);
+  for (std::size_t i = 0; i < group.count; ++i) any_total = any_total | (lanes.radicand[i] < 0);
   if (face.mirrors || by_fresnel || any_total) {
-    mirror(*bend_);
-    send(group, bend.mirrored, mirrored_, false);
+    reflect(*lanes_);
+    send(group, lanes.mirrored, mirrored_, false);
   }
-  if (glass) send(group, bend.refracted, refracted_, true);
+  if (glass) send(group, lanes.refracted, refracted_, true);
   end(group);
 }
 
@@ -154,7 +153,7 @@ void PhotonWave::store(const Group& group, std::size_t i) {
 
 // Store what may be seen here, and book what goes no farther.
 void PhotonWave::end(const Group& group) {
-  const bool stores = faces_[group.object].stores;
+  const bool stores = face_of(group).stores;
   Rgb stored, absorbed;
   for (std::size_t i = 0; i < group.count; ++i) {
     const Rgb left{left_[0][i], left_[1][i], left_[2][i]};
@@ -170,15 +169,15 @@ void PhotonWave::end(const Group& group) {
 }
 
 // Let the branches with enough flux and depth left join the next generation, column by column.
-void PhotonWave::send(const Group& group, const std::array<BendLanes::Column, 3>& direction,
-                      const std::array<BendLanes::Column, 3>& flux, bool passes) {
-  std::array<std::uint16_t, BendLanes::kCapacity> kept;
+void PhotonWave::send(const Group& group, const std::array<DielectricLanes::Column, 3>& direction,
+                      const std::array<DielectricLanes::Column, 3>& flux, bool passes) {
+  std::array<std::uint16_t, DielectricLanes::kCapacity> kept;
   std::size_t count = 0;
   const double* const least = std::as_const(now_).least_column();
-  const bool sends_back = faces_[group.object].transmits && !scene_.paper.tir_drop;
+  const bool sends_back = face_of(group).transmits && !scene_.paper.tir_drop;
   const auto way = [&](std::size_t i) {
     if (passes) return Way::let_through;
-    return sends_back && bend_->radicand[i] < 0 ? Way::sent_back : Way::mirrored;
+    return sends_back && lanes_->radicand[i] < 0 ? Way::sent_back : Way::mirrored;
   };
   for (std::size_t i = 0; i < group.count; ++i) {
     const Rgb share{flux[0][i], flux[1][i], flux[2][i]};
@@ -200,18 +199,17 @@ void PhotonWave::send(const Group& group, const std::array<BendLanes::Column, 3>
       flux_to[k] = flux[a][kept[k]];
     }
   }
-  const auto object = static_cast<std::int32_t>(group.object);
-  const std::int64_t departed = 2 * static_cast<std::int64_t>(object) + (group.entering == passes ? 1 : 0);
-  const std::int32_t medium = group.entering ? object : kNoObject;
+  const HitId departed{group.met.object, group.met.entering == passes};
+  const std::int32_t medium = group.met.entering ? group.met.object : kNoObject;
   for (std::size_t k = 0; k < count; ++k) {
     const std::size_t i = kept[k], from = group.lane[i];
-    PhotonState state = now_.state(from);
+    DiscreteState state = now_.state(from);
     state.set_depth(state.depth().after(way(i)));
     if (passes) state.medium = medium;
     state.departed_face = group.face[i];
     state.band = group.band[i];
     next_.least_column()[first + k] = least[from];
-    next_.departed()[first + k] = departed;
+    next_.departed()[first + k] = departed.lane();
     next_.states()[first + k] = state;
   }
 }

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "photon/beam.h"
+#include "photon/beams/beam.h"
 #include "photon/photon_map.h"
 
 namespace vitrail {

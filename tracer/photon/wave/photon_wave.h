@@ -5,9 +5,9 @@
 #include <memory>
 #include <vector>
 
-#include "photon/bend_lanes.h"
-#include "photon/few_objects.h"
 #include "photon/photon_tree.h"
+#include "photon/wave/dielectric_lanes.h"
+#include "photon/wave/small_scene_intersector.h"
 
 namespace vitrail {
 
@@ -34,8 +34,7 @@ class PhotonWave {
   };
   // Photons at the same side of the same object, side by side.
   struct Group {
-    std::uint32_t object = 0;
-    bool entering = false;
+    HitId met;
     std::size_t count = 0;
     std::array<std::uint32_t, RayChunk::kCapacity> lane;  // in `now_`
     std::array<std::int32_t, RayChunk::kCapacity> face;
@@ -48,35 +47,36 @@ class PhotonWave {
     Vec3 normal_of(std::size_t i) const { return {at.normal[0][i], at.normal[1][i], at.normal[2][i]}; }
   };
 
+  const Face& face_of(const Group& group) const { return faces_[static_cast<std::size_t>(group.met.object)]; }
   void step(std::size_t first, std::size_t count);
-  bool is_plain(std::int32_t medium, std::uint32_t object, bool entering) const;
+  bool is_plain(std::int32_t medium, HitId met) const;
   void escape(std::size_t lane);
   void follow_generally(std::size_t lane);
-  void arrive(std::int64_t met, const std::vector<std::uint16_t>& rays, std::size_t first);
+  void arrive(HitId met, const std::vector<std::uint16_t>& rays, std::size_t first);
   void stop(const Group& group);
   void divide_by_band(Group& group);
   void divide(const Group& group);
-  void bend_all(const Group& group);
+  void find_lobes(const Group& group);
   void store(const Group& group, std::size_t i);
   void end(const Group& group);
-  void send(const Group& group, const std::array<BendLanes::Column, 3>& direction,
-            const std::array<BendLanes::Column, 3>& flux, bool passes);
+  void send(const Group& group, const std::array<DielectricLanes::Column, 3>& direction,
+            const std::array<DielectricLanes::Column, 3>& flux, bool passes);
 
   const PhotonPass& pass_;
   const Scene& scene_;
-  std::int64_t target_;
+  std::int32_t target_;
   PhotonBlock& block_;
-  FewObjects objects_;
+  SmallSceneIntersector objects_;
   PhotonStore store_;
   PhotonTree tree_;
   std::vector<Face> faces_;
   bool anything_absorbs_ = false;
-  PhotonLanes now_, next_;
-  std::vector<std::vector<std::uint16_t>> met_;  // by 2 object + entering: rays of the chunk
+  PathStates now_, next_;
+  std::vector<std::vector<std::uint16_t>> met_;  // by HitId::lane: rays of the chunk
   std::unique_ptr<RayChunk> rays_;
   std::unique_ptr<Group> group_;
-  std::unique_ptr<BendLanes> bend_;
-  std::array<BendLanes::Column, 3> mirrored_, refracted_, left_;  // flux that goes each way, by channel
+  std::unique_ptr<DielectricLanes> lanes_;
+  std::array<DielectricLanes::Column, 3> mirrored_, refracted_, left_;  // flux that goes each way, by channel
 };
 
 }  // namespace vitrail

@@ -1,4 +1,4 @@
-#include "photon/photon_wave.h"
+#include "photon/wave/photon_wave.h"
 
 #include <algorithm>
 
@@ -18,13 +18,13 @@ bool is_sheet(const Shape& shape) {
 
 bool PhotonWave::suits(const Scene& scene) {
   const bool smooth = std::all_of(scene.materials.begin(), scene.materials.end(), is_smooth);
-  return (smooth || !scene.plan.roughness) && !scene.paper.refraction_literal && FewObjects::suit(scene);
+  return (smooth || !scene.plan.roughness) && !scene.paper.refraction_literal && SmallSceneIntersector::suits(scene);
 }
 
 PhotonWave::PhotonWave(const PhotonPass& pass, std::uint32_t target, Stream stream, PhotonBlock& block)
     : pass_(pass),
       scene_(pass.scene),
-      target_(target),
+      target_(static_cast<std::int32_t>(target)),
       block_(block),
       objects_(pass.scene),
       store_(pass.frame, block),
@@ -32,7 +32,7 @@ PhotonWave::PhotonWave(const PhotonPass& pass, std::uint32_t target, Stream stre
       met_(2 * pass.scene.objects.size()),
       rays_(std::make_unique<RayChunk>()),
       group_(std::make_unique<Group>()),
-      bend_(std::make_unique<BendLanes>()) {
+      lanes_(std::make_unique<DielectricLanes>()) {
   for (std::uint32_t i = 0; i < scene_.objects.size(); ++i) {
     const Material& material = scene_.material_of(i);
     faces_.push_back({&material, material.reflection + material.transmission, material.transmits(),
@@ -43,7 +43,7 @@ PhotonWave::PhotonWave(const PhotonPass& pass, std::uint32_t target, Stream stre
 }
 
 void PhotonWave::add(const Ray& ray, Rgb flux) {
-  now_.add(ray.origin, ray.direction, flux, kLeastPhotonShare * largest_channel(flux), kNoObject, {});
+  now_.add(ray.origin, ray.direction, flux, kLeastPhotonShare * largest_channel(flux), {}, {});
 }
 
 void PhotonWave::add(const Ray& ray, const MediumSet& media, Rgb flux) {
@@ -52,9 +52,9 @@ void PhotonWave::add(const Ray& ray, const MediumSet& media, Rgb flux) {
     tree_.follow({ray, {}, media, flux, least});
     return;
   }
-  PhotonState state;
+  DiscreteState state;
   if (media.size() == 1) state.medium = static_cast<std::int32_t>(media[0]);
-  now_.add(ray.origin, ray.direction, flux, least, kNoObject, state);
+  now_.add(ray.origin, ray.direction, flux, least, {}, state);
 }
 
 // Let all photons under way have one event, then all their branches, and so on until none is left.
@@ -81,32 +81,31 @@ void PhotonWave::step(std::size_t first, std::size_t count) {
   objects_.find(rays);
 
   for (std::size_t i = 0; i < count; ++i) {
-    const std::int64_t met = rays.met[i];
-    if (met < 0) {
+    const HitId met = HitId::of_lane(rays.met[i]);
+    if (met.object == kNoObject) {
       escape(first + i);
-    } else if (rays.too_close[i] ||
-               !is_plain(now_.state(first + i).medium, static_cast<std::uint32_t>(met >> 1), (met & 1) != 0)) {
+    } else if (rays.too_close[i] || !is_plain(now_.state(first + i).medium, met)) {
       follow_generally(first + i);
-    } else if (met >> 1 == target_ || now_.state(first + i).has_bounced()) {
-      met_[static_cast<std::size_t>(met)].push_back(static_cast<std::uint16_t>(i));
+    } else if (met.object == target_ || now_.state(first + i).has_bounced()) {
+      met_[static_cast<std::size_t>(rays.met[i])].push_back(static_cast<std::uint16_t>(i));
     }  // else leave the photon to the chart of what it meets, or to direct light
   }
   for (std::size_t met = 0; met < met_.size(); ++met) {
     if (met_[met].empty()) continue;
-    arrive(static_cast<std::int64_t>(met), met_[met], first);
+    arrive(HitId::of_lane(static_cast<std::int64_t>(met)), met_[met], first);
     met_[met].clear();
   }
 }
 
 // In air meeting anything, or inside one glass meeting its own face or something opaque that it does not displace.
-bool PhotonWave::is_plain(std::int32_t medium, std::uint32_t object, bool entering) const {
-  const Face& face = faces_[object];
-  if (face.transmits) return !face.is_sheet && medium == (entering ? kNoObject : static_cast<std::int32_t>(object));
+bool PhotonWave::is_plain(std::int32_t medium, HitId met) const {
+  const Face& face = faces_[static_cast<std::size_t>(met.object)];
+  if (face.transmits) return !face.is_sheet && medium == (met.entering ? kNoObject : met.object);
   return medium == kNoObject || faces_[static_cast<std::size_t>(medium)].priority <= face.priority;
 }
 
 void PhotonWave::escape(std::size_t lane) {
-  const PhotonState& state = now_.state(lane);
+  const DiscreteState& state = now_.state(lane);
   if (!state.has_bounced()) return;
   const Rgb flux = now_.flux(lane);
   Rgb left = flux;
@@ -119,13 +118,13 @@ void PhotonWave::escape(std::size_t lane) {
 }
 
 void PhotonWave::follow_generally(std::size_t lane) {
-  const PhotonState& state = now_.state(lane);
-  const std::int64_t departed = now_.departed()[lane];
+  const DiscreteState& state = now_.state(lane);
+  const HitId departed = HitId::of_lane(now_.departed()[lane]);
   Flight flight;
   flight.ray = now_.ray(lane);
-  if (departed >= 0) {
-    flight.departures.push_back({static_cast<std::uint32_t>(departed >> 1),
-                                 static_cast<std::uint32_t>(state.departed_face), (departed & 1) != 0});
+  if (departed.object != kNoObject) {
+    flight.departures.push_back({static_cast<std::uint32_t>(departed.object),
+                                 static_cast<std::uint32_t>(state.departed_face), departed.entering});
   }
   if (state.medium != kNoObject) flight.media.enter(static_cast<std::uint32_t>(state.medium));
   flight.flux = now_.flux(lane);

@@ -1,4 +1,4 @@
-#include "photon/few_objects.h"
+#include "photon/wave/small_scene_intersector.h"
 
 #include <cmath>
 
@@ -39,9 +39,10 @@ struct Columns {
 };
 
 // A ray that goes on inside a ball leaves at the far root; one that went away from it never comes back [O 2.14].
-void meet_sphere(const SphereShape& sphere, std::int64_t object, RayChunk& rays) {
+void meet_sphere(const SphereShape& sphere, std::int32_t object, RayChunk& rays) {
   const Columns c(rays);
   const double cx = sphere.center.x, cy = sphere.center.y, cz = sphere.center.z, radius = sphere.radius;
+  const std::int64_t enters = HitId{object, true}.lane(), leaves = HitId{object, false}.lane();
   const int count = rays.count;
 #pragma GCC ivdep
   for (int i = 0; i < count; ++i) {
@@ -57,17 +58,18 @@ void meet_sphere(const SphereShape& sphere, std::int64_t object, RayChunk& rays)
     const double ahead = in > 0 ? in : (out > 0 ? out : kInfinity);
     const double from_elsewhere = rest > 0 ? ahead : kInfinity;
     const double through = b > 0 ? 2 * b : 0.0;
-    const bool inside = c.departed[i] == 2 * object + 1, outside = c.departed[i] == 2 * object;
+    const bool inside = c.departed[i] == enters, outside = c.departed[i] == leaves;
     const double t = inside ? through : (outside ? kInfinity : from_elsewhere);
     const bool entering = !inside & (in > 0);
-    c.offer(i, t, entering ? 2 * object + 1 : 2 * object);
+    c.offer(i, t, entering ? enters : leaves);
   }
 }
 
 // `contains(x, y, z)` of a point on the plane, relative to `point`, limits the flat shape.
 template <typename Contains>
-void meet_flat(Vec3 point, Vec3 normal, const Contains& contains, std::int64_t object, RayChunk& rays) {
+void meet_flat(Vec3 point, Vec3 normal, const Contains& contains, std::int32_t object, RayChunk& rays) {
   const Columns c(rays);
+  const std::int64_t enters = HitId{object, true}.lane(), leaves = HitId{object, false}.lane();
   const int count = rays.count;
 #pragma GCC ivdep
   for (int i = 0; i < count; ++i) {
@@ -75,14 +77,14 @@ void meet_flat(Vec3 point, Vec3 normal, const Contains& contains, std::int64_t o
     const double height = x * normal.x + y * normal.y + z * normal.z;
     const double climb = c.dx[i] * normal.x + c.dy[i] * normal.y + c.dz[i] * normal.z;
     const double t = -height / climb;
-    const bool departed = (c.departed[i] == 2 * object) | (c.departed[i] == 2 * object + 1);
+    const bool departed = (c.departed[i] == leaves) | (c.departed[i] == enters);
     const bool within = contains(x + c.dx[i] * t, y + c.dy[i] * t, z + c.dz[i] * t);
     const bool hit = (t > 0) & (t < kInfinity) & !departed & within;
-    c.offer(i, hit ? t : kInfinity, climb < 0 ? 2 * object + 1 : 2 * object);
+    c.offer(i, hit ? t : kInfinity, climb < 0 ? enters : leaves);
   }
 }
 
-void meet_rectangle(const RectangleShape& r, std::int64_t object, RayChunk& rays) {
+void meet_rectangle(const RectangleShape& r, std::int32_t object, RayChunk& rays) {
   const Vec3 u = normalise(r.u), v = normalise(r.v);
   const double half_u = length(r.u), half_v = length(r.v);
   const auto contains = [=](double x, double y, double z) {
@@ -92,24 +94,24 @@ void meet_rectangle(const RectangleShape& r, std::int64_t object, RayChunk& rays
   meet_flat(r.center, normalise(cross(r.u, r.v)), contains, object, rays);
 }
 
-void meet_disc(const DiscShape& disc, std::int64_t object, RayChunk& rays) {
+void meet_disc(const DiscShape& disc, std::int32_t object, RayChunk& rays) {
   const double radius = disc.radius;
   const auto contains = [=](double x, double y, double z) { return std::sqrt(x * x + y * y + z * z) <= radius; };
   meet_flat(disc.center, disc.normal, contains, object, rays);
 }
 
 // Any other shape answers ray by ray.
-void meet_one_by_one(const Primitive& primitive, std::int64_t object, RayChunk& rays) {
+void meet_one_by_one(const Primitive& primitive, std::int32_t object, RayChunk& rays) {
   const Columns c(rays);
   for (int i = 0; i < rays.count; ++i) {
     const Ray ray{{c.ox[i], c.oy[i], c.oz[i]}, {c.dx[i], c.dy[i], c.dz[i]}};
-    const bool departed = c.departed[i] >= 0 && c.departed[i] >> 1 == object;
+    const HitId departed = HitId::of_lane(c.departed[i]);
     const Departure departure{static_cast<std::uint32_t>(object),
-                              static_cast<std::uint32_t>(rays.states[i].departed_face), (c.departed[i] & 1) != 0};
+                              static_cast<std::uint32_t>(rays.states[i].departed_face), departed.entering};
     ShapeHit hit;
-    if (!intersect(primitive, ray, departed ? &departure : nullptr, hit)) continue;
+    if (!intersect(primitive, ray, departed.object == object ? &departure : nullptr, hit)) continue;
     if (hit.t < c.nearest[i]) rays.met_face[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(hit.face);
-    c.offer(i, hit.t, 2 * object + (hit.entering ? 1 : 0));
+    c.offer(i, hit.t, HitId{object, hit.entering}.lane());
   }
 }
 
@@ -128,7 +130,7 @@ void judge_gaps(RayChunk& rays) {
 
 }  // namespace
 
-bool FewObjects::suit(const Scene& scene) {
+bool SmallSceneIntersector::suits(const Scene& scene) {
   if (scene.objects.size() > kMost) return false;
   for (const Object& object : scene.objects) {
     if (std::holds_alternative<MeshShape>(object.shape)) return false;
@@ -136,14 +138,14 @@ bool FewObjects::suit(const Scene& scene) {
   return true;
 }
 
-FewObjects::FewObjects(const Scene& scene) {
+SmallSceneIntersector::SmallSceneIntersector(const Scene& scene) {
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const Shape& shape = scene.objects[i].shape;
-    items_.push_back({static_cast<std::int64_t>(i), shape, make_primitive(shape)});
+    items_.push_back({static_cast<std::int32_t>(i), shape, make_primitive(shape)});
   }
 }
 
-void FewObjects::find(RayChunk& rays) const {
+void SmallSceneIntersector::find(RayChunk& rays) const {
   rays.nearest.fill(kInfinity);
   rays.next.fill(kInfinity);
   rays.met.fill(kNoObject);
@@ -165,7 +167,8 @@ void FewObjects::find(RayChunk& rays) const {
   judge_gaps(rays);
 }
 
-void FewObjects::settle(std::uint32_t object, const std::int32_t* faces, int count, SurfaceLanes& lanes) const {
+void SmallSceneIntersector::settle(std::uint32_t object, const std::int32_t* faces, int count,
+                                   SurfaceLanes& lanes) const {
   const Item& item = items_[object];
   auto& [px, py, pz] = lanes.point;
   auto& [nx, ny, nz] = lanes.normal;
