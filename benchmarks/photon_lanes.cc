@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "base/random.h"
-#include "photon/bend_lanes.h"
-#include "photon/few_objects.h"
+#include "photon/wave/dielectric_lanes.h"
+#include "photon/wave/small_scene_intersector.h"
 
 namespace vitrail {
 namespace {
@@ -22,10 +22,10 @@ Vec3 direction(std::uint64_t index, std::uint32_t dimension) {
 void find_hits(benchmark::State& state, const Shape& shape) {
   Scene scene;
   scene.objects = {{"object", 0, 0, shape}};
-  const FewObjects objects(scene);
-  PhotonLanes photons;
+  const SmallSceneIntersector objects(scene);
+  PathStates photons;
   for (std::uint64_t i = 0; i < RayChunk::kCapacity; ++i) {
-    photons.add({unit(i, 3), unit(i, 4), unit(i, 5)}, direction(i, 0), {1, 1, 1}, 0, kNoObject, {});
+    photons.add({unit(i, 3), unit(i, 4), unit(i, 5)}, direction(i, 0), {1, 1, 1}, 0, {}, {});
   }
   const auto rays = std::make_unique<RayChunk>();
   rays->count = RayChunk::kCapacity;
@@ -49,9 +49,9 @@ BENCHMARK_CAPTURE(find_hits, rectangle, RectangleShape{{0, -1, 0}, {1, 0, 0}, {0
 BENCHMARK_CAPTURE(find_hits, disc, DiscShape{{0, -1, 0}, {0, 1, 0}, 1});
 
 // Rays on faces of glass, from inside and from outside.
-std::unique_ptr<BendLanes> rays_at_faces() {
-  auto lanes = std::make_unique<BendLanes>();
-  lanes->count = BendLanes::kCapacity;
+std::unique_ptr<DielectricLanes> rays_at_faces() {
+  auto lanes = std::make_unique<DielectricLanes>();
+  lanes->count = DielectricLanes::kCapacity;
   for (std::size_t i = 0; i < lanes->count; ++i) {
     const Vec3 ray = direction(i, 0), outward = direction(i, 3), normal = dot(ray, outward) > 0 ? -outward : outward;
     for (int a = 0; a < 3; ++a) {
@@ -65,24 +65,24 @@ std::unique_ptr<BendLanes> rays_at_faces() {
   return lanes;
 }
 
-void at_faces(benchmark::State& state, void (*kernel)(BendLanes&)) {
+void at_faces(benchmark::State& state, void (*kernel)(DielectricLanes&)) {
   const auto lanes = rays_at_faces();
   refract(*lanes);
   for (auto _ : state) {
     kernel(*lanes);
     benchmark::ClobberMemory();
   }
-  state.SetItemsProcessed(state.iterations() * BendLanes::kCapacity);
+  state.SetItemsProcessed(state.iterations() * DielectricLanes::kCapacity);
 }
-BENCHMARK_CAPTURE(at_faces, mirror, mirror);
+BENCHMARK_CAPTURE(at_faces, reflect, reflect);
 BENCHMARK_CAPTURE(at_faces, refract, refract);
-BENCHMARK_CAPTURE(at_faces, find_shares, find_shares);
+BENCHMARK_CAPTURE(at_faces, find_fresnel_shares, find_fresnel_shares);
 
 // Points near a sphere are brought onto it.
 void settle(benchmark::State& state) {
   Scene scene;
   scene.objects = {{"ball", 0, 0, SphereShape{{0, 0, 0}, 1}}};
-  const FewObjects objects(scene);
+  const SmallSceneIntersector objects(scene);
   auto lanes = std::make_unique<SurfaceLanes>();
   const std::array<std::int32_t, SurfaceLanes::kCapacity> faces{};
   for (std::size_t i = 0; i < SurfaceLanes::kCapacity; ++i) {
