@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, assert_never
 
 import typer
 
+from vitrail.base.whole_file import write_whole
 from vitrail.commands.exit_code import exit_codes
-from vitrail.commands.output import print_json, write_whole
+from vitrail.commands.output import print_json
 from vitrail.commands.settings_options import QUALITY, SETTINGS, parse_settings
 
 if TYPE_CHECKING:

@@ -10,15 +10,10 @@ from __future__ import annotations
 from enum import StrEnum
 from typing import Any, Literal
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import Field
 
 from vitrail.base.phenomenon import Phenomenon
-
-
-class Record(BaseModel):
-    """Base of every record: immutable, finite, unknown keys refused, fields written as they are named."""
-
-    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
+from vitrail.base.record import Record
 
 
 class Verdict(StrEnum):

@@ -7,16 +7,15 @@ Lengths are metres, radiance W sr^-1 m^-2, times CPU seconds; paths are relative
 
 from __future__ import annotations
 
-import json
-from collections.abc import Mapping
 from enum import StrEnum
 from pathlib import Path
 from typing import Any, Literal
 
-from pydantic import Field
+from pydantic import Field, JsonValue
 
 from vitrail.base.phenomenon import Phenomenon
-from vitrail.judge.comparison import ObservationResult, Pair, Record, Verdict
+from vitrail.base.record import Record, json_text, read_record, record_schema, write_record
+from vitrail.judge.comparison import ObservationResult, Pair, Verdict
 
 RESULTS_VERSION: Literal[1] = 1
 
@@ -203,18 +202,17 @@ class Results(Record):
 
 def write_results(results: Results, path: Path) -> None:
     """Write ``results.json``: sorted keys, two spaces, so that two runs can be compared line by line."""
-    path.write_text(json.dumps(results.model_dump(mode="json"), indent=2, sort_keys=True, allow_nan=False) + "\n")
+    write_record(results, path, indent=2)
 
 
 def read_results(path: Path) -> Results:
-    return Results.model_validate_json(path.read_text())
+    return read_record(Results, path)
 
 
-def results_schema() -> Mapping[str, Any]:
+def results_schema() -> dict[str, JsonValue]:
     """The JSON Schema of ``results.json``, committed as ``references/results.schema.json``."""
-    schema = Results.model_json_schema(mode="serialization")
-    return {"$schema": "https://json-schema.org/draft/2020-12/schema", "title": "Vitrail results", **schema}
+    return record_schema(Results, "Vitrail results")
 
 
 if __name__ == "__main__":
-    print(json.dumps(results_schema(), indent=2, sort_keys=True))
+    print(json_text(results_schema(), indent=2), end="")

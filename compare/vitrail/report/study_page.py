@@ -7,6 +7,7 @@ from pathlib import Path
 import jinja2
 from markupsafe import Markup
 
+from vitrail.base.whole_file import write_whole
 from vitrail.report.page import number, quantity
 
 HERE = Path(__file__).parent
@@ -26,13 +27,6 @@ def write_study_page(out: Path, html: str) -> Path:
     """``index.html`` with the styles and scripts it names beside it; each file appears whole."""
     for name in ("style.css", "chart.css", "study.css", "state.js", "theme.js", "study.js"):
         text = (HERE / "static" / name).read_text(encoding="utf-8")
-        _write(out / "report" / name, text)
-    _write(out / "index.html", html)
+        write_whole(out / "report" / name, text)
+    write_whole(out / "index.html", html)
     return out / "index.html"
-
-
-def _write(path: Path, text: str) -> None:
-    path.parent.mkdir(parents=True, exist_ok=True)
-    partial = path.with_name(f".{path.name}.partial")
-    partial.write_text(text, encoding="utf-8")
-    partial.replace(path)
