@@ -27,7 +27,7 @@ Scene ball_lens(bool fresnel) {
   return scene;
 }
 
-void trace_ball(benchmark::State& state, bool fresnel, PhotonWay way) {
+void trace_ball(benchmark::State& state, bool fresnel, Strategy strategy) {
   const Scene scene = ball_lens(fresnel);
   const Intersector intersector(scene);
   const Targets targets = find_targets(scene, intersector);
@@ -37,14 +37,14 @@ void trace_ball(benchmark::State& state, bool fresnel, PhotonWay way) {
   std::uint64_t block = 0;
   for (auto _ : state) {
     const Stream stream = stream_of(1, Purpose::kEmissionPosition);
-    benchmark::DoNotOptimize(trace_photons(pass, charts[0], stream, (block++ % 128) * kBlock, kBlock, way));
+    benchmark::DoNotOptimize(trace_photons(pass, charts[0], stream, (block++ % 128) * kBlock, kBlock, strategy));
   }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(kBlock));
 }
 
-void photons_through_ball(benchmark::State& state) { trace_ball(state, false, PhotonWay::automatic); }
-void photons_through_ball_with_fresnel(benchmark::State& state) { trace_ball(state, true, PhotonWay::automatic); }
-void photons_through_ball_one_by_one(benchmark::State& state) { trace_ball(state, false, PhotonWay::one_by_one); }
+void photons_through_ball(benchmark::State& state) { trace_ball(state, false, Strategy::automatic); }
+void photons_through_ball_with_fresnel(benchmark::State& state) { trace_ball(state, true, Strategy::automatic); }
+void photons_through_ball_one_by_one(benchmark::State& state) { trace_ball(state, false, Strategy::tree); }
 BENCHMARK(photons_through_ball);
 BENCHMARK(photons_through_ball_with_fresnel);
 BENCHMARK(photons_through_ball_one_by_one);

@@ -1,4 +1,4 @@
-/// Beams against the ray map of a ball, on flat and on curved surfaces, and the books of what falls between them.
+/// Beams against the ray map of a ball, on flat and on curved surfaces, and the ledger of what falls between them.
 
 #include <gtest/gtest.h>
 
@@ -76,18 +76,18 @@ TEST(Beams, OfTheOtherSideOfASurfaceDoNotCount) {
   EXPECT_EQ(maps.irradiance(0, {{0.3, 0.01, 0}, {0, 1, 0}}), Rgb{}) << "a centimetre above the floor";
 }
 
-/// With Fresnel shares light leaves in ever weaker sheets, each with a tear of its own; nothing is lost from the books,
-/// and what falls between beams lessens with the rays.
-TEST(Beams, CloseTheBooks) {
+/// With Fresnel shares light leaves in ever weaker sheets, each with a discontinuity of its own; nothing is lost from
+/// the ledger, and what falls between beams lessens with the rays.
+TEST(Beams, CloseTheLedger) {
   const PhotonStatistics few = beams_of(ball_over_floor(2000, true)).statistics;
   const PhotonStatistics many = beams_of(ball_over_floor(32000, true)).statistics;
   for (const PhotonStatistics* each : {&few, &many}) {
     EXPECT_LT(each->ledger.closure(), 1e-12);
-    EXPECT_LE(each->torn.r, each->ledger.truncated.r * (1 + 1e-12));
+    EXPECT_LE(each->at_discontinuities.r, each->ledger.truncated.r * (1 + 1e-12));
     // The outline of the ball is seen at the corners of cells, few or many of them.
     EXPECT_NEAR(each->ledger.emitted.r, kPi, (each == &few ? 0.05 : 0.01) * kPi);
   }
-  EXPECT_LT(many.torn.r, few.torn.r / 4);
+  EXPECT_LT(many.at_discontinuities.r, few.at_discontinuities.r / 4);
 }
 
 /// Light from above through a plate of index 1 onto a ball: E cos, by chords that lie off the surface.

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kHalfAPercent = 0.005;
 
-/// Photons stored in a scene by all charts, and the books.
+/// Photons stored in a scene by all charts, and the ledger.
 PhotonBlock photons_of(const Scene& scene, std::uint64_t count) {
   const Intersector intersector(scene);
   const PhotonPass pass{scene, intersector, {}};

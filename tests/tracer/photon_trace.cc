@@ -1,4 +1,4 @@
-/// The light side: what photons bring where, and that their books close.
+/// The light side: what photons bring where, and that their ledger closes.
 
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ PhotonMaps maps_of(const Scene& scene, unsigned threads = 1) {
   return make_photon_maps(scene, intersector, threads, monitor);
 }
 
-void expect_books_closed(const Ledger& ledger) {
+void expect_ledger_closed(const Ledger& ledger) {
   EXPECT_GT(largest_channel(ledger.emitted), 0);
   EXPECT_LT(ledger.closure(), 1e-9);  // the contract; in doubles it is about 1e-13
 }
@@ -37,7 +37,7 @@ TEST(Photons, OfABallBringTheFluxOfItsSilhouette) {
   SceneBuilder builder = floor_scene();
   builder.add("ball", SphereShape{{0, 2, 0}, 1}, builder.add(glass(1.5)));
   const Ledger ledger = maps_of(builder.scene).statistics.ledger;
-  expect_books_closed(ledger);
+  expect_ledger_closed(ledger);
   const Rgb expected{2 * kPi, 3 * kPi, 5 * kPi};
   for (int c = 0; c < 3; ++c) {
     // Every photon of the disc meets the ball, and all carry the same: the sum is exact to rounding.
@@ -52,26 +52,26 @@ TEST(Photons, ThroughATintedPaneCarryTheSquareOfItsTint) {
   SceneBuilder builder = floor_scene();
   builder.add("pane", BoxShape{{-1, 1, -1}, {1, 1.1, 1}, {}}, builder.add(glass(1.5, {0.9, 0.3, 0.1})));
   const Ledger ledger = maps_of(builder.scene).statistics.ledger;
-  expect_books_closed(ledger);
+  expect_ledger_closed(ledger);
   EXPECT_NEAR(ledger.stored.r, 4 * 2 * 0.81, 1e-9);
   EXPECT_NEAR(ledger.stored.g, 4 * 3 * 0.09, 1e-9);
   EXPECT_NEAR(ledger.stored.b, 4 * 5 * 0.01, 1e-9);
   EXPECT_NEAR(ledger.absorbed.b, 4 * 5 * 0.99, 1e-9);
 }
 
-/// With Fresnel a pane passes (1-R)/(1+R) over all bounces [O 1.1]; what is cut off is in the books.
+/// With Fresnel a pane passes (1-R)/(1+R) over all bounces [O 1.1]; what is cut off is in the ledger.
 TEST(Photons, ThroughAPaneWithFresnelCarryAllBounces) {
   SceneBuilder builder = floor_scene();
   builder.add("pane", BoxShape{{-1, 1, -1}, {1, 1.1, 1}, {}}, builder.add(glass(1.5, {1, 1, 1}, true)));
   const Ledger ledger = maps_of(builder.scene).statistics.ledger;
-  expect_books_closed(ledger);
+  expect_ledger_closed(ledger);
   EXPECT_NEAR(ledger.stored.r / (4 * 2), 0.923077, 1e-4);  // the cut-off share
   EXPECT_LE(ledger.truncated.r / ledger.emitted.r, 2e-4);
   EXPECT_GT(ledger.truncated.r, 0);
 }
 
 /// Every kind of loss at once: tint, absorption, a coloured mirror, a surface that is glass and diffuse.
-TEST(Photons, CloseTheirBooksInAMixedScene) {
+TEST(Photons, CloseTheirLedgerInAMixedScene) {
   SceneBuilder builder = floor_scene();
   Material amber = glass(1.6, {0.5, 0.4, 0.1}, true);
   amber.reflection = {0.3, 0.2, 0.1};
@@ -83,7 +83,7 @@ TEST(Photons, CloseTheirBooksInAMixedScene) {
   builder.add("mirror", BoxShape{{2, 0.5, -1}, {3, 1.5, 1}, {}}, builder.add(mirror));
   builder.scene.lights.push_back({"lamp", PointLight{{1, 4, 1}, {10, 10, 10}}});
   const Ledger ledger = maps_of(builder.scene).statistics.ledger;
-  expect_books_closed(ledger);
+  expect_ledger_closed(ledger);
   for (int c = 0; c < 3; ++c) {
     EXPECT_GT(ledger.stored[c], 0);
     EXPECT_GT(ledger.absorbed[c], 0);
@@ -99,10 +99,10 @@ TEST(Photons, MeetEachTargetOnce) {
   builder.add("lower", SphereShape{{0, 2, 0}, 1}, clear);
   const Ledger ledger = maps_of(builder.scene).statistics.ledger;
   EXPECT_NEAR(ledger.emitted.r, 2 * kPi, 1e-9);
-  expect_books_closed(ledger);
+  expect_ledger_closed(ledger);
 }
 
-/// Between two mirrors light goes on for ever; the depth limit ends it and the rest is booked as truncated.
+/// Between two mirrors light goes on for ever; the depth limit ends it and the rest is counted as truncated.
 TEST(Photons, AreTruncatedAtTheDepthLimit) {
   SceneBuilder builder = floor_scene();
   Material mirror = diffuse(0);
@@ -113,7 +113,7 @@ TEST(Photons, AreTruncatedAtTheDepthLimit) {
   builder.scene.lights = {{"lamp", PointLight{{0, 2, 0}, {1, 1, 1}}}};
   builder.scene.transport.max_reflections = 5;
   const PhotonMaps maps = maps_of(builder.scene);
-  expect_books_closed(maps.statistics.ledger);
+  expect_ledger_closed(maps.statistics.ledger);
   EXPECT_GT(maps.statistics.ledger.truncated.r, 0.01 * maps.statistics.ledger.emitted.r);
 }
 
@@ -136,7 +136,7 @@ TEST(Photons, OfDispersiveGlassKeepEveryChannel) {
   flint.ior_minus_one_by_band = {0.6, 0.632, 0.664, 0.696};
   builder.add("ball", SphereShape{{0, 2, 0}, 1}, builder.add(flint));
   const PhotonMaps maps = maps_of(builder.scene);
-  expect_books_closed(maps.statistics.ledger);
+  expect_ledger_closed(maps.statistics.ledger);
   EXPECT_NEAR(maps.statistics.ledger.emitted.r, 2 * kPi, 1e-9);
   EXPECT_GT(maps.statistics.stored, 3.9 * 99000);
 }

@@ -62,7 +62,7 @@ void expect_the_same_light(const Scene& scene) {
   for (const Chart& chart : make_charts(scene, targets, 4000)) {
     const Stream stream = stream_of(1, Purpose::kEmissionPosition);
     const PhotonBlock quick = trace_photons(pass, chart, stream, 0, chart.count);
-    const PhotonBlock plain = trace_photons(pass, chart, stream, 0, chart.count, PhotonWay::one_by_one);
+    const PhotonBlock plain = trace_photons(pass, chart, stream, 0, chart.count, Strategy::tree);
     ASSERT_EQ(quick.photons.size(), plain.photons.size());
     for (int c = 0; c < 3; ++c) {
       // Both ways round each step differently, and 4000 photons are summed.
@@ -125,7 +125,7 @@ TEST(PhotonWave, CountsFacesAsTheGeneralWayDoes) {
   }
 }
 
-/// A bubble in a block, a ball on the floor, opaque things in glass: what the quick way hands over.
+/// A bubble in a block, a ball on the floor, opaque things in glass: what the wave hands over to the tree.
 TEST(PhotonWave, HandsOverWhatIsNotPlain) {
   SceneBuilder builder = floor_and_sun();
   const auto clear = builder.add(glass(1.5, {1, 1, 1}, true));

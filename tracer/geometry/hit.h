@@ -17,12 +17,12 @@ struct Departure {
 
 /// A few values in place: the faces that coincide in one point are a handful. What exceeds the capacity is dropped.
 template <typename Value, int capacity>
-class Few {
+class InlineVector {
  public:
-  Few() = default;
+  InlineVector() = default;
   /// Copy what is there and not the empty places: these values are on the way of every ray.
-  Few(const Few& other) { *this = other; }
-  Few& operator=(const Few& other) {
+  InlineVector(const InlineVector& other) { *this = other; }
+  InlineVector& operator=(const InlineVector& other) {
     size_ = other.size_;
     for (int i = 0; i < size_; ++i) values_[i] = other.values_[i];
     return *this;
@@ -45,7 +45,7 @@ class Few {
   int size_ = 0;
 };
 
-using Departures = Few<Departure, 6>;
+using Departures = InlineVector<Departure, 6>;
 
 /// One surface met at a hit.
 struct Crossing {
@@ -59,7 +59,7 @@ struct Crossing {
   Vec3 shading_normal;    // equal to normal except on smooth meshes
 };
 
-using Crossings = Few<Crossing, 6>;
+using Crossings = InlineVector<Crossing, 6>;
 
 /// The nearest surface and everything that coincides with it within rounding, by object and not by order of arrival:
 /// what a ray meets in a point does not depend on the order of objects that touch there.

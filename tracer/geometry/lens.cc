@@ -75,7 +75,7 @@ bool Lens::intersect(const Ray& ray, const Departure* left, ShapeHit& hit) const
   const Vec3 lateral{local.origin.x, local.origin.y, 0}, drift{local.direction.x, local.direction.y, 0};
 
   // The convex hull of the lens first: rim and the two faces.
-  Few<Span, 3> spans;
+  InlineVector<Span, 3> spans;
   Span whole;
   const bool met = cut_wall(whole, lateral, drift, 0, half_diameter_, 0, 2, departs_from(left, 2)) &&
                    cut_convex(whole, local, caps_[0], 0, left) && cut_convex(whole, local, caps_[1], 1, left);
@@ -86,7 +86,7 @@ bool Lens::intersect(const Ray& ray, const Departure* left, ShapeHit& hit) const
     double in = 0, out = 0;
     if (caps_[face].radius >= 0) continue;
     if (!ball_span({0, 0, caps_[face].center}, -caps_[face].radius, local, departs_from(left, face), in, out)) continue;
-    Few<Span, 3> rest;
+    InlineVector<Span, 3> rest;
     for (const Span& span : spans) {
       Span before = span, after = span;
       before.leave(in, face);

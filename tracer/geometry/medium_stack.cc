@@ -42,7 +42,7 @@ bool MediumSet::contains(std::uint32_t object) const {
   return false;
 }
 
-std::uint32_t MediumSet::ruler(const Scene& scene) const {
+std::uint32_t MediumSet::dominant(const Scene& scene) const {
   std::uint32_t best = kAir;
   for (int i = 0; i < size_; ++i)
     if (best == kAir || scene.objects[objects_[i]].priority > scene.objects[best].priority) best = objects_[i];

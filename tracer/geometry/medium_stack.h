@@ -32,8 +32,9 @@ class MediumSet {
   int size() const { return size_; }
   std::uint32_t operator[](int index) const { return objects_[index]; }
 
-  /// The object whose medium rules: the highest priority, among equals the lowest object id; kAir if the set is empty.
-  std::uint32_t ruler(const Scene& scene) const;
+  /// The dominant object, whose medium fills the place: the highest priority, among equals the lowest object id; kAir
+  /// if the set is empty.
+  std::uint32_t dominant(const Scene& scene) const;
 
  private:
   std::uint32_t objects_[kCapacity];

@@ -6,7 +6,7 @@ void Nearest::offer_close(std::uint32_t object, const ShapeHit& hit) {
   const Candidate candidate{hit.t, object, hit.face, hit.entering};
 
   // Keep the list in order, one entry an object, the farthest dropped when it is full.
-  Few<Candidate, 6> kept;
+  InlineVector<Candidate, 6> kept;
   bool placed = false;
   for (const Candidate& other : found_) {
     if (other.object == object) {

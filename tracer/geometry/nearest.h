@@ -31,7 +31,7 @@ class Nearest {
 
   bool empty() const { return found_.size() == 0; }
   const Candidate& first() const { return found_[0]; }
-  const Few<Candidate, 6>& all() const { return found_; }  // in order of (t, object)
+  const InlineVector<Candidate, 6>& all() const { return found_; }  // in order of (t, object)
 
   /// No hit beyond this distance is of interest any more.
   double horizon() const { return empty() ? kInfinity : first().t + window(first().t); }
@@ -43,7 +43,7 @@ class Nearest {
   double window(double t) const { return (reach_ + t) * 0x1p-30; }
 
   double reach_;
-  Few<Candidate, 6> found_;
+  InlineVector<Candidate, 6> found_;
 };
 
 }  // namespace vitrail

@@ -35,7 +35,7 @@ Illumination illuminate(const Light& light, Vec3 point, Vec3 normal, const UnitP
                     light.emitter);
 }
 
-bool is_sharp(const Light& light) {
+bool is_delta(const Light& light) {
   return std::visit(
       Overload{[](const DirectionalLight& l) { return l.angular_diameter_deg == 0; },
                [](const PointLight&) { return true; }, [](const SpotLight&) { return true; },

@@ -14,7 +14,7 @@ namespace vitrail {
 Illumination illuminate(const Light& light, Vec3 point, Vec3 normal, const UnitPoint& sample);
 
 /// Whether one sample of the light says all: no extent, so every sample is the same.
-bool is_sharp(const Light& light);
+bool is_delta(const Light& light);
 
 /// What a look into the open sees of this light, W / (sr m2): an environment, nothing of the others.
 Rgb sky_radiance(const Light& light, Vec3 direction);

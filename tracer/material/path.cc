@@ -53,7 +53,7 @@ std::vector<PathVertex> follow(const Scene& scene, const Intersector& intersecto
     vertex.direction_in = vertex.direction_out = ray.direction;
     vertex.distance = arrival.distance;
     vertex.throughput = throughput;
-    vertex.medium = arrival.media.ruler(scene);
+    vertex.medium = arrival.media.dominant(scene);
     if (arrival.escaped) {
       path.push_back(vertex);
       return path;
@@ -72,7 +72,7 @@ std::vector<PathVertex> follow(const Scene& scene, const Intersector& intersecto
       throughput *= branch->weight;
       vertex.throughput = throughput;
       vertex.direction_out = branch->direction;
-      vertex.medium = branch->media.ruler(scene);
+      vertex.medium = branch->media.dominant(scene);
     }
     path.push_back(vertex);
     if (branch == nullptr) return path;

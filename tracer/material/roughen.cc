@@ -3,7 +3,7 @@
 #include <bit>
 
 #include "base/frame.h"
-#include "material/sides.h"
+#include "material/boundary.h"
 #include "optics/fresnel.h"
 #include "optics/microsurface.h"
 #include "optics/roughness.h"
@@ -42,8 +42,8 @@ class GgxFace {
         facing_(event.facing_normal),
         across_(surface_frame(event.facing_normal)),
         arrived_{dot(direction, across_.u), dot(direction, across_.v), dot(direction, facing_)} {
-    find_sides(scene, hit, media, sides_);
-    shares_ = shares_of(scene, sides_);
+    find_boundary(scene, hit, media, boundary_);
+    shares_ = shares_of(scene, boundary_);
   }
 
   /// Divide the light at the first facet, and let each part find its way from there.
@@ -55,7 +55,7 @@ class GgxFace {
     const FresnelShares at_facet = fresnel(event.index, refraction);
     event.R = at_facet.R;
     event.T = at_facet.T;
-    event.total_internal_reflection = !sides_.opaque && refraction.total;
+    event.total_internal_reflection = !boundary_.opaque && refraction.total;
     const bool total = event.total_internal_reflection;
 
     FacetRay mirrored = met, bent = met;
@@ -68,28 +68,30 @@ class GgxFace {
     const Rgb none;
     const bool drops = total && paper_.tir_drop;
     if (shares_.fresnel) {
-      const FacetLaw law = sides_.opaque ? FacetLaw::mirror_by_fresnel : FacetLaw::divide_by_fresnel;
+      const FacetLaw law = boundary_.opaque ? FacetLaw::mirror_by_fresnel : FacetLaw::divide_by_fresnel;
       const Rgb back = drops ? shares_.reflection : shares_.pool() * at_facet.R;
-      leave(mirrored, law, back, total && !drops ? Way::sent_back : Way::mirrored, one, event.reflect);
-      leave(bent, law, sides_.opaque ? none : shares_.pool() * at_facet.T, Way::sent_back, other, event.transmit);
+      leave(mirrored, law, back, total && !drops ? Lobe::total_internal_reflection : Lobe::reflection, one,
+            event.reflect);
+      leave(bent, law, boundary_.opaque ? none : shares_.pool() * at_facet.T, Lobe::total_internal_reflection, other,
+            event.transmit);
       return;
     }
 
     // What is totally reflected and what is mirrored part ways only if they meet another facet.
     FacetRay away = mirrored;
     if (total && !drops && !reach_facet(away, alpha_, uniform(one, 0, 0))) {
-      leave(mirrored, FacetLaw::mirror, shares_.pool(), Way::sent_back, one, event.reflect);
+      leave(mirrored, FacetLaw::mirror, shares_.pool(), Lobe::total_internal_reflection, one, event.reflect);
       event.transmit.exists = false;
       return;
     }
-    const Rgb passing = sides_.opaque || drops ? none : shares_.transmission;
-    leave(mirrored, FacetLaw::mirror, shares_.reflection, Way::mirrored, one, event.reflect);
-    leave(bent, FacetLaw::let_through, passing, Way::sent_back, total ? one : other, event.transmit);
+    const Rgb passing = boundary_.opaque || drops ? none : shares_.transmission;
+    leave(mirrored, FacetLaw::mirror, shares_.reflection, Lobe::reflection, one, event.reflect);
+    leave(bent, FacetLaw::let_through, passing, Lobe::total_internal_reflection, total ? one : other, event.transmit);
   }
 
  private:
   // `back`: what a ray counts as that ends on the side from which the light came.
-  void leave(FacetRay ray, FacetLaw law, const Rgb& weight, Way back, Stream stream, Branch& branch) const {
+  void leave(FacetRay ray, FacetLaw law, const Rgb& weight, Lobe back, Stream stream, Branch& branch) const {
     branch.exists = false;
     if (is_black(weight)) return;
     const double left = leave_facets(ray, {alpha_, law, bend_}, arrived_, stream);
@@ -97,13 +99,13 @@ class GgxFace {
     Vec3 way = normalise(across_.u * local.x + across_.v * local.y + facing_ * local.z);
 
     // Keep it on its side of the surface itself, where the shading normal of a smooth mesh leans.
-    const Vec3 outward = sides_.owner->entering ? sides_.owner->normal : -sides_.owner->normal;
+    const Vec3 outward = boundary_.interface->entering ? boundary_.interface->normal : -boundary_.interface->normal;
     const double above = dot(way, outward);
     if (ray.behind ? above > 0 : above < 0) way = way - outward * (2 * above);
     if (ray.behind) {
-      branch.set(Way::let_through, way, weight * left, hit_.through(), sides_.after);
+      branch.set(Lobe::transmission, way, weight * left, hit_.through(), boundary_.after);
     } else {
-      branch.set(back, way, weight * left, hit_.back(), sides_.before);
+      branch.set(back, way, weight * left, hit_.back(), boundary_.before);
     }
   }
 
@@ -114,7 +116,7 @@ class GgxFace {
   Vec3 facing_;
   SurfaceFrame across_;
   Vec3 arrived_;
-  Sides sides_;
+  Boundary boundary_;
   Shares shares_;
 };
 

@@ -1,6 +1,6 @@
 #include "material/surface.h"
 
-#include "material/sides.h"
+#include "material/boundary.h"
 #include "optics/absorption.h"
 #include "optics/fresnel.h"
 #include "optics/refract.h"
@@ -46,24 +46,24 @@ Refraction bend(const Paper& paper, const Crossing& surface, Vec3 direction, con
 }
 
 /// Divide the light among mirror and refraction.
-void add_branches(const Paper& paper, const Hit& hit, Vec3 direction, const Sides& sides, const Shares& shares,
+void add_branches(const Paper& paper, const Hit& hit, Vec3 direction, const Boundary& boundary, const Shares& shares,
                   const Refraction& refraction, Interaction& result) {
   const Rgb pool = shares.pool();
-  const bool transmits = !sides.opaque && !refraction.total;
+  const bool transmits = !boundary.opaque && !refraction.total;
   Rgb mirrored = shares.fresnel ? pool * result.R : shares.reflection;
   Rgb refracted = shares.fresnel ? pool * result.T : shares.transmission;
 
   // Under total reflection the whole pool is sent back, unless the paper is read by the letter [O 1.1 row 8].
-  Way back = Way::mirrored;
-  if (!sides.opaque && refraction.total) {
+  Lobe back = Lobe::reflection;
+  if (!boundary.opaque && refraction.total) {
     result.total_internal_reflection = true;
     mirrored = paper.tir_drop ? shares.reflection : pool;
-    if (!paper.tir_drop) back = Way::sent_back;
+    if (!paper.tir_drop) back = Lobe::total_internal_reflection;
   }
   if (!is_black(mirrored))
-    result.reflect.set(back, reflect(direction, result.facing_normal), mirrored, hit.back(), sides.before);
+    result.reflect.set(back, reflect(direction, result.facing_normal), mirrored, hit.back(), boundary.before);
   if (transmits && !is_black(refracted))
-    result.transmit.set(Way::let_through, refraction.direction, refracted, hit.through(), sides.after);
+    result.transmit.set(Lobe::transmission, refraction.direction, refracted, hit.through(), boundary.after);
 }
 
 }  // namespace
@@ -77,29 +77,29 @@ Interaction interact(const Scene& scene, const Hit& hit, Vec3 direction, const M
 
 void interact(const Scene& scene, const Hit& hit, Vec3 direction, const MediumSet& media, std::uint32_t band,
               bool ior_of_camera, Interaction& result) {
-  Sides sides;
-  find_sides(scene, hit, media, sides);
-  result.medium_before = sides.ruler_before;
-  result.medium_after = sides.ruler_after;
+  Boundary boundary;
+  find_boundary(scene, hit, media, boundary);
+  result.medium_before = boundary.dominant_before;
+  result.medium_after = boundary.dominant_after;
 
-  // Go straight on where nothing changes: the same ruler, or two pieces of one glass.
-  const bool same_glass = sides.partner != nullptr &&
+  // Go straight on where nothing changes: the same medium, or two pieces of one glass.
+  const bool same_glass = boundary.other_interface != nullptr &&
                           scene.objects[result.medium_before].material == scene.objects[result.medium_after].material;
-  result.passes = !sides.opaque && (result.medium_before == result.medium_after || same_glass);
+  result.passes = !boundary.opaque && (result.medium_before == result.medium_after || same_glass);
   if (result.passes) {
-    result.transmit.set(Way::let_through, direction, {1, 1, 1}, hit.through(), sides.after);
+    result.transmit.set(Lobe::transmission, direction, {1, 1, 1}, hit.through(), boundary.after);
     return;
   }
 
   // Describe the surface.
-  const Crossing& surface = *sides.owner;
+  const Crossing& surface = *boundary.interface;
   result.transmit.exists = false;
   result.reflect.exists = false;
-  result.object = sides.object;
+  result.object = boundary.object;
   result.material = scene.objects[result.object].material;
   const Material& material = scene.materials[result.material];
   result.entering = surface.entering;
-  result.diffuse = sides.partner == nullptr ? texture_at(material.diffuse, surface.s, surface.q) : Rgb{};
+  result.diffuse = boundary.other_interface == nullptr ? texture_at(material.diffuse, surface.s, surface.q) : Rgb{};
   result.emission = texture_at(material.emission, surface.s, surface.q);
   result.roughness = material.roughness;
 
@@ -107,7 +107,7 @@ void interact(const Scene& scene, const Hit& hit, Vec3 direction, const MediumSe
   result.index = {from.ior, from.ior, from.ior_minus_one, from.ior_minus_one};
 
   // Nothing leaves a dull surface in one direction.
-  if (sides.opaque && is_black(material.reflection)) {
+  if (boundary.opaque && is_black(material.reflection)) {
     result.facing_normal = facing_normal(surface, direction);
     result.R = 0;
     result.T = 1;
@@ -116,7 +116,7 @@ void interact(const Scene& scene, const Hit& hit, Vec3 direction, const MediumSe
 
   // Bend the light; an opaque surface has no other side, but its own index decides how strong its mirror is.
   MediumIndex to = index_of(scene, result.medium_after, band, ior_of_camera);
-  if (sides.opaque && material.fresnel)
+  if (boundary.opaque && material.fresnel)
     to = ior_of_camera ? MediumIndex{material.camera_ior, material.camera_ior - 1}
                        : MediumIndex{material.ior_by_band[band], material.ior_minus_one_by_band[band]};
   result.index = {from.ior, to.ior, from.ior_minus_one, to.ior_minus_one};
@@ -124,11 +124,11 @@ void interact(const Scene& scene, const Hit& hit, Vec3 direction, const MediumSe
   const FresnelShares fresnel_shares = fresnel(result.index, refraction);
   result.R = fresnel_shares.R;
   result.T = fresnel_shares.T;
-  add_branches(scene.paper, hit, direction, sides, shares_of(scene, sides), refraction, result);
+  add_branches(scene.paper, hit, direction, boundary, shares_of(scene, boundary), refraction, result);
 }
 
 double ior_in(const Scene& scene, const MediumSet& media, std::uint32_t band) {
-  return index_of(scene, media.ruler(scene), band, false).ior;
+  return index_of(scene, media.dominant(scene), band, false).ior;
 }
 
 Arrival advance(const Scene& scene, const Intersector& intersector, const Ray& start, const Departures& departures,
@@ -138,7 +138,7 @@ Arrival advance(const Scene& scene, const Intersector& intersector, const Ray& s
   Ray ray = start;
   Departures left = departures;
   while (true) {
-    const std::uint32_t medium = arrival.media.ruler(scene);
+    const std::uint32_t medium = arrival.media.dominant(scene);
     const Rgb absorption = medium == kAir ? Rgb{} : scene.material_of(medium).absorption_per_m;
     if (!intersector.closest(ray, left, arrival.hit)) {
       arrival.escaped = true;

@@ -12,15 +12,15 @@ namespace vitrail {
 /// light, already includes the material's share and the Fresnel share.
 struct Branch {
   bool exists = false;
-  Way way = Way::mirrored;
+  Lobe lobe = Lobe::reflection;
   Vec3 direction;
   Rgb weight;
   Departures departures;
   MediumSet media;
 
-  void set(Way how, Vec3 where_to, const Rgb& carried, const Departures& left, const MediumSet& inside) {
+  void set(Lobe which, Vec3 where_to, const Rgb& carried, const Departures& left, const MediumSet& inside) {
     exists = true;
-    way = how;
+    lobe = which;
     direction = where_to;
     weight = carried;
     departures = left;
@@ -60,7 +60,7 @@ void interact(const Scene& scene, const Hit& hit, Vec3 direction, const MediumSe
 /// The index of the medium a set rules, for the radiance factor (n_camera / n_here)^2 of surfaces inside glass.
 double ior_in(const Scene& scene, const MediumSet& media, std::uint32_t band);
 
-/// The next hit that is an event, walking straight over interfaces that change nothing.
+/// The next hit that is an event, walking straight over boundary that change nothing.
 struct Arrival {
   bool escaped = false;
   Hit hit;                     // hit.point is the event; hit.t the length of the last straight piece only

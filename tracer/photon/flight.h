@@ -1,7 +1,7 @@
 #pragma once
 /// A photon between two events.
 
-#include "material/surface.h"
+#include "photon/path_signature.h"
 
 namespace vitrail {
 
@@ -12,10 +12,10 @@ struct Flight {
   Rgb flux;
   double least = 0;  // W; a branch below this is cut off
   std::uint32_t band = 0;
-  bool band_chosen = false;  // before the first dispersive face every band takes the same way
+  bool band_chosen = false;  // before the first dispersive face all bands share one path
   Depth depth{};
   std::uint32_t index = 0;  // of the photon in its chart, for random choices on its way
-  std::uint64_t way = 0;    // names the faces met and the branches taken so far
+  PathSignature signature = PathSignature::at_light;
 
   bool has_bounced() const { return depth.faces() > 0; }
 };

@@ -45,9 +45,9 @@ void walk_photon(const PhotonPass& pass, Walk walk, Stream stream, std::uint32_t
       block.photons.push_back(make_photon(pass.frame, arrival.hit.point, arrival.event.facing_normal, walk.weight));
     }
     const StepSample sample = padded_4d(within(stream, static_cast<std::uint64_t>(steps)), index);
-    const WayOn way = step(pass.scene, arrival, sample, Travels::light, walk);
-    if (way == WayOn::none) return;
-    scattered = scattered || way == WayOn::diffuse;
+    const SampledLobe way = step(pass.scene, arrival, sample, Travels::light, walk);
+    if (way == SampledLobe::none) return;
+    scattered = scattered || way == SampledLobe::diffuse;
   }
 }
 

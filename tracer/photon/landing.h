@@ -1,5 +1,5 @@
 #pragma once
-/// Where a way of light ends on a surface that can be diffuse.
+/// Where a light path ends on a surface that can be diffuse.
 
 #include "photon/flight.h"
 
@@ -7,10 +7,10 @@ namespace vitrail {
 
 struct Landing {
   Vec3 position;
-  Vec3 normal;            // on the side where the light arrived
-  Rgb flux;               // what arrives, W
-  Rgb kept;               // what no mirror or glass of this surface sends on, W: the books take it as stored
-  std::uint64_t way = 0;  // names the faces and branches from the light to here, this face included
+  Vec3 normal;  // on the side where the light arrived
+  Rgb flux;     // what arrives, W
+  Rgb kept;     // what no mirror or glass of this surface sends on, W: the ledger takes it as stored
+  PathSignature signature = PathSignature::at_light;  // from the light to here, this face included
 };
 
 /// Who takes the landings of a tree.

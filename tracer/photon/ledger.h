@@ -1,5 +1,5 @@
 #pragma once
-/// Where the power of the photons went, per channel. The books close: emitted = stored + absorbed + escaped +
+/// Where the power of the photons went, per channel. It closes: emitted = stored + absorbed + escaped +
 /// truncated.
 
 #include "base/vec3.h"

@@ -66,7 +66,7 @@ PhotonMaps make_photon_maps(const Scene& scene, const Intersector& intersector, 
     monitor.advance(1);
   });
 
-  // Add the books in the order of the blocks.
+  // Add the ledgers in the order of the blocks.
   std::vector<std::vector<PhotonRecord>> records[2];
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     statistics.ledger += blocks[b].ledger;

@@ -10,8 +10,8 @@
 namespace vitrail {
 
 struct PhotonStatistics {
-  Ledger ledger;  // mean of the two halves, each of which carries the whole power
-  Rgb torn;       // W, of what the ledger says is truncated: it fell between beams
+  Ledger ledger;           // mean of the two halves, each of which carries the whole power
+  Rgb at_discontinuities;  // W, of what the ledger says is truncated: it fell between beams
   std::uint64_t emitted = 0, stored = 0;
   double trace_cpu_s = 0, sort_cpu_s = 0;
   std::vector<std::string> warnings;

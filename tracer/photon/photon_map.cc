@@ -8,7 +8,7 @@ namespace vitrail {
 namespace {
 
 constexpr std::uint32_t kPadding = 16;  // one vector of the kernel
-constexpr int kHeapBits = 8;            // photons are first sorted into 2^8 heaps
+constexpr int kRadixBits = 8;           // photons are first sorted into 2^8 partitions
 
 // Photons at most R/4 off the tangent plane lie at most sqrt(1 + 1/16) R = 1.0308 R away; 33/32 R covers that with
 // room for rounding. Cells are that wide across rows, and half of it along them, so that runs fit the disc closely.
@@ -105,28 +105,28 @@ std::uint32_t PhotonMap::bucket_of(const PhotonRecord& photon) const {
   return (static_cast<std::uint32_t>(i) + row_of(j, k)) & mask_;
 }
 
-// Sort in two steps that each stay in the cache: by the leading bits of the bucket into a few hundred heaps, then each
-// heap by counting. Both are stable, so photons of a cell keep the order of emission.
+// Sort in two steps that each stay in the cache: by the leading bits of the bucket into a few hundred partitions, then
+// each partition by counting. Both are stable, so photons of a cell keep the order of emission.
 void PhotonMap::sort_into_cells(std::vector<std::vector<PhotonRecord>>& blocks) {
-  const int low_bits = std::max(0, static_cast<int>(std::bit_width(mask_)) - kHeapBits);
-  const std::size_t heap_count = static_cast<std::size_t>(mask_ >> low_bits) + 1;
-  std::vector<std::uint32_t> heap_start(heap_count + 2, 0), bucket(size_);
+  const int low_bits = std::max(0, static_cast<int>(std::bit_width(mask_)) - kRadixBits);
+  const std::size_t partition_count = static_cast<std::size_t>(mask_ >> low_bits) + 1;
+  std::vector<std::uint32_t> partition_start(partition_count + 2, 0), bucket(size_);
   std::size_t next = 0;
   for (const auto& block : blocks) {
     for (const PhotonRecord& photon : block) {
       bucket[next] = bucket_of(photon);
-      ++heap_start[(bucket[next++] >> low_bits) + 2];
+      ++partition_start[(bucket[next++] >> low_bits) + 2];
     }
   }
-  for (std::size_t h = 2; h < heap_start.size(); ++h) heap_start[h] += heap_start[h - 1];
+  for (std::size_t h = 2; h < partition_start.size(); ++h) partition_start[h] += partition_start[h - 1];
 
-  // Give up each block as soon as it is in the heaps.
-  std::vector<Heaped> heaps(size_);
+  // Give up each block as soon as it is in the partitions.
+  std::vector<Bucketed> partitions(size_);
   next = 0;
   for (auto& block : blocks) {
     for (const PhotonRecord& photon : block) {
       const std::uint32_t b = bucket[next++];
-      heaps[heap_start[(b >> low_bits) + 1]++] = {photon, b};
+      partitions[partition_start[(b >> low_bits) + 1]++] = {photon, b};
     }
     std::vector<PhotonRecord>().swap(block);
   }
@@ -135,24 +135,25 @@ void PhotonMap::sort_into_cells(std::vector<std::vector<PhotonRecord>>& blocks) 
   for (auto& column : position_) column.resize(size_ + kPadding);
   for (auto& column : flux_) column.resize(size_ + kPadding);
   normal_.resize(size_ + kPadding);
-  for (std::size_t h = 0; h < heap_count; ++h) {
-    sort_heap({heaps.data() + heap_start[h], heaps.data() + heap_start[h + 1]}, heap_start[h],
-              static_cast<std::uint32_t>(h) << low_bits, std::uint32_t{1} << low_bits);
+  for (std::size_t h = 0; h < partition_count; ++h) {
+    sort_partition({partitions.data() + partition_start[h], partitions.data() + partition_start[h + 1]},
+                   partition_start[h], static_cast<std::uint32_t>(h) << low_bits, std::uint32_t{1} << low_bits);
   }
   start_.back() = static_cast<std::uint32_t>(size_);
 }
 
 // Counting sort of the buckets first .. first + count into the columns from `place` on.
-void PhotonMap::sort_heap(std::span<const Heaped> heap, std::uint32_t place, std::uint32_t first, std::uint32_t count) {
+void PhotonMap::sort_partition(std::span<const Bucketed> partition, std::uint32_t place, std::uint32_t first,
+                               std::uint32_t count) {
   std::uint32_t* const start = start_.data() + first;
   std::fill(start, start + count, 0);
-  for (const Heaped& h : heap) ++start[h.bucket - first];
+  for (const Bucketed& h : partition) ++start[h.bucket - first];
   for (std::uint32_t b = 0; b < count; ++b) {
     const std::uint32_t photons = start[b];
     start[b] = place;
     place += photons;
   }
-  for (const Heaped& h : heap) {
+  for (const Bucketed& h : partition) {
     const std::uint32_t to = start[h.bucket - first]++;
     for (int a = 0; a < 3; ++a) {
       position_[a][to] = h.photon.position[axis_[a]];
@@ -164,7 +165,7 @@ void PhotonMap::sort_heap(std::span<const Heaped> heap, std::uint32_t place, std
 
   // Each start has moved to the end of its bucket, which is the start of the next: move them back by one.
   for (std::uint32_t b = count; b-- > 1;) start[b] = start[b - 1];
-  if (count > 0) start[0] = place - static_cast<std::uint32_t>(heap.size());
+  if (count > 0) start[0] = place - static_cast<std::uint32_t>(partition.size());
 }
 
 PhotonMap::Photon PhotonMap::photon(std::size_t index) const {
@@ -242,7 +243,7 @@ Rgb PhotonMap::irradiance(const GatherQuery& query) const {
 std::size_t PhotonMap::predicted_bytes(std::size_t count) {
   const std::size_t columns = 7 * sizeof(float) * (count + kPadding);
   const std::size_t table = sizeof(std::uint32_t) * std::bit_ceil(std::max<std::size_t>(65536, 2 * count));
-  const std::size_t on_the_way = (sizeof(Heaped) + sizeof(std::uint32_t)) * count;
+  const std::size_t on_the_way = (sizeof(Bucketed) + sizeof(std::uint32_t)) * count;
   return columns + table + on_the_way;
 }
 

@@ -74,14 +74,15 @@ class PhotonMap {
   std::uint32_t row_of(std::int64_t j, std::int64_t k) const;
   int collect_runs(const float (&center)[3], PhotonRun* runs) const;
   /// A photon on its way into its cell.
-  struct Heaped {
+  struct Bucketed {
     PhotonRecord photon;
     std::uint32_t bucket;
   };
   std::uint32_t bucket_of(const PhotonRecord& photon) const;
   void choose_lattice(const std::vector<std::vector<PhotonRecord>>& blocks);
   void sort_into_cells(std::vector<std::vector<PhotonRecord>>& blocks);
-  void sort_heap(std::span<const Heaped> heap, std::uint32_t place, std::uint32_t first, std::uint32_t count);
+  void sort_partition(std::span<const Bucketed> partition, std::uint32_t place, std::uint32_t first,
+                      std::uint32_t count);
 
   PhotonFrame frame_;
   double radius_m_;

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "material/roughen.h"
-#include "photon/way.h"
 
 namespace vitrail {
 
@@ -50,10 +49,10 @@ void PhotonTree::arrive(const Flight& flight, const Arrival& arrival) {
 // Give each band its weight of the flux; from here on it keeps its own index of refraction.
 void PhotonTree::split_bands(Flight flight, const Arrival& arrival, Rgb flux) {
   flight.band_chosen = true;
-  const std::uint64_t way = flight.way;
+  const PathSignature signature = flight.signature;
   for (std::uint32_t band = 0; band < scene_.bands.size(); ++band) {
     flight.band = band;
-    flight.way = in_band(way, band);
+    flight.signature = in_band(signature, band);
     const Interaction event = interact(scene_, arrival.hit, flight.ray.direction, arrival.media, band);
     go_on(flight, arrival, event, flux * scene_.bands[band].weight);
   }
@@ -73,7 +72,7 @@ void PhotonTree::go_on(const Flight& flight, const Arrival& arrival, const Inter
   meet(flight, arrival, one, flux);
 }
 
-// Store what may be seen here, send the branches on, and book what ends.
+// Store what may be seen here, send the branches on, and enter what ends in the ledger.
 void PhotonTree::meet(const Flight& flight, const Arrival& arrival, const Interaction& event, Rgb flux) {
   Rgb left = flux;
   if (event.reflect.exists) {
@@ -87,8 +86,8 @@ void PhotonTree::meet(const Flight& flight, const Arrival& arrival, const Intera
     send(flight, arrival, event.transmit, share);
   }
   if (flight.has_bounced() && can_be_diffuse(scene_.materials[event.material])) {
-    const std::uint64_t way = on_the_way(scene_, flight.way, arrival, Turn::end);
-    landings_.land({arrival.hit.point, event.facing_normal, flux, left, way});
+    const PathSignature signature = extended(scene_, flight.signature, arrival, PathStep::end);
+    landings_.land({arrival.hit.point, event.facing_normal, flux, left, signature});
     ledger_.stored += left;
   } else {
     ledger_.absorbed += left;
@@ -101,8 +100,9 @@ void PhotonTree::send(const Flight& from, const Arrival& arrival, const Branch& 
   next.departures = branch.departures;
   next.media = branch.media;
   next.flux = flux;
-  next.depth = from.depth.after(branch.way);
-  next.way = on_the_way(scene_, from.way, arrival, branch.way == Way::let_through ? Turn::transmit : Turn::reflect);
+  next.depth = from.depth.after(branch.lobe);
+  next.signature = extended(scene_, from.signature, arrival,
+                            branch.lobe == Lobe::transmission ? PathStep::transmit : PathStep::reflect);
   if (!scene_.within_depth(next.depth) || !(largest_channel(flux) >= from.least)) {
     ledger_.truncated += flux;
     return;

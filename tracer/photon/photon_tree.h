@@ -10,7 +10,7 @@ namespace vitrail {
 
 class PhotonTree {
  public:
-  /// Where light ends goes into `landings`, the books into `ledger`; both must outlive the tree.
+  /// Where light ends goes into `landings`, the energy balance into `ledger`; both must outlive the tree.
   /// `stream` scrambles the random choices of rough faces.
   PhotonTree(const PhotonPass& pass, std::uint32_t target, Stream stream, LandingSink& landings, Ledger& ledger)
       : pass_(pass), scene_(pass.scene), target_(target), stream_(stream), landings_(landings), ledger_(ledger) {}

@@ -85,12 +85,12 @@ Rgb power_of(const EmissionColumns& columns, std::size_t i) {
 }  // namespace
 
 PhotonBlock trace_photons(const PhotonPass& pass, const Chart& chart, Stream stream, std::uint64_t first,
-                          std::uint64_t count, PhotonWay way) {
+                          std::uint64_t count, Strategy strategy) {
   PhotonBlock block;
   block.photons.reserve(count);
   const Stream lots = within(stream, static_cast<std::uint64_t>(Purpose::kPhotonRoughness));
   const StartMedia media(pass);
-  if (way == PhotonWay::automatic && PhotonWave::suits(pass.scene)) {
+  if (strategy == Strategy::automatic && PhotonWave::suits(pass.scene)) {
     PhotonWave wave(pass, chart.target, lots, block);
     emit_block(chart, stream, first, count, [&](const EmissionColumns& columns, std::uint32_t) {
       for (std::size_t i = 0; i < columns.count; ++i) {

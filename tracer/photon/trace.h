@@ -9,8 +9,8 @@
 
 namespace vitrail {
 
-/// A branch below this share of the photon's power where it began is cut off and booked as truncated. At a face without
-/// absorption the first cut loses less than 1e-4 of the photon; what is lost in all stands in the ledger.
+/// A branch below this share of the photon's power where it began is cut off and counted as truncated. At a face
+/// without absorption the first cut loses less than 1e-4 of the photon; what is lost in all stands in the ledger.
 inline constexpr double kLeastPhotonShare = 1e-4;
 
 /// What one block of photons leaves behind.
@@ -40,14 +40,14 @@ struct PhotonPass {
   double radius_m = 0;  // of everything finite, about the frame's origin
 };
 
-/// How photons are followed: `automatic` takes many at once where the scene allows it. Both obey the same physics and
-/// agree to rounding.
-enum class PhotonWay { automatic, one_by_one };
+/// How photons are followed: `automatic` takes the wave where it suits the scene. Both strategies obey the same physics
+/// and agree to rounding.
+enum class Strategy { automatic, tree };
 
 /// Emit photons first .. first + count of a chart with a scrambling, and follow each through every branch: reflected
 /// and refracted light both go on, in exact shares, so the ledger closes photon by photon and there is no roulette
 /// noise. A photon is stored on every surface that can be diffuse, after at least one specular bounce [S section 4].
 PhotonBlock trace_photons(const PhotonPass& pass, const Chart& chart, Stream stream, std::uint64_t first,
-                          std::uint64_t count, PhotonWay way = PhotonWay::automatic);
+                          std::uint64_t count, Strategy strategy = Strategy::automatic);
 
 }  // namespace vitrail

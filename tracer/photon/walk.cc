@@ -34,11 +34,11 @@ void choose_band(const Scene& scene, const Arrival& arrival, double& u, Walk& wa
 
 }  // namespace
 
-WayOn step(const Scene& scene, const Arrival& arrival, const StepSample& sample, Travels travels, Walk& walk) {
+SampledLobe step(const Scene& scene, const Arrival& arrival, const StepSample& sample, Travels travels, Walk& walk) {
   Interaction event = arrival.event;
   double spare = sample[3];
   choose_band(scene, arrival, spare, walk, event);
-  if (!(largest_channel(walk.weight) > 0)) return WayOn::none;
+  if (!(largest_channel(walk.weight) > 0)) return SampledLobe::none;
   if (scene.plan.roughness && is_rough(event.roughness)) {
     roughen(scene, arrival.hit, walk.ray.direction, arrival.media, {sample[1], sample[2], spare}, travels, event);
   }
@@ -54,24 +54,24 @@ WayOn step(const Scene& scene, const Arrival& arrival, const StepSample& sample,
     walk.departures = branch.departures;
     walk.media = branch.media;
     walk.weight *= branch.weight * (scale / p);
-    walk.depth = walk.depth.after(branch.way);
+    walk.depth = walk.depth.after(branch.lobe);
     return scene.within_depth(walk.depth);
   };
   if (u < reflects) {
-    return take(event.reflect, reflects) ? WayOn::reflect : WayOn::none;
+    return take(event.reflect, reflects) ? SampledLobe::reflection : SampledLobe::none;
   }
   u -= reflects;
   if (u < transmits) {
-    return take(event.transmit, transmits) ? WayOn::transmit : WayOn::none;
+    return take(event.transmit, transmits) ? SampledLobe::transmission : SampledLobe::none;
   }
   u -= transmits;
-  if (u >= scatters) return WayOn::none;
+  if (u >= scatters) return SampledLobe::none;
   walk.ray = {arrival.hit.point, cosine_direction(event.facing_normal, sample[1], sample[2])};
   walk.departures = arrival.hit.back();
   walk.media = arrival.media;
   walk.weight *= event.diffuse * (scale / scatters);
   walk.depth = {};
-  return WayOn::diffuse;
+  return SampledLobe::diffuse;
 }
 
 }  // namespace vitrail

@@ -20,11 +20,12 @@ struct Walk {
 /// Numbers in (0, 1) for one step: which way on, two for its direction, which band.
 using StepSample = std::array<double, 4>;
 
-enum class WayOn { none, reflect, transmit, diffuse };
+/// What a step drew; `none`: absorbed, or beyond the depth limits of specular lobes.
+enum class SampledLobe { none, reflection, transmission, diffuse };
 
 /// Go on from an arrival by one way, drawn with the probability of its largest channel; the weight is divided by it. A
 /// diffuse way is only taken by light; a look stops at diffuse surfaces where its owner decides. `none`: absorbed, or
 /// beyond the depth limits of specular ways.
-WayOn step(const Scene& scene, const Arrival& arrival, const StepSample& sample, Travels travels, Walk& walk);
+SampledLobe step(const Scene& scene, const Arrival& arrival, const StepSample& sample, Travels travels, Walk& walk);
 
 }  // namespace vitrail

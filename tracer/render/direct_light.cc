@@ -1,6 +1,6 @@
 #include "render/direct_light.h"
 
-#include "material/sides.h"
+#include "material/boundary.h"
 #include "optics/absorption.h"
 
 namespace vitrail {
@@ -22,16 +22,16 @@ Rgb filtered(const Scene& scene, const Intersector& intersector, Ray ray, Depart
   Hit hit;
   for (int face = 0; face < kMostFaces; ++face) {
     if (!intersector.closest(ray, departures, hit) || hit.t >= rest)
-      return left * left_by(scene, media.ruler(scene), rest);
-    Sides sides;
-    find_sides(scene, hit, media, sides);
-    left *= left_by(scene, sides.ruler_before, hit.t);
+      return left * left_by(scene, media.dominant(scene), rest);
+    Boundary boundary;
+    find_boundary(scene, hit, media, boundary);
+    left *= left_by(scene, boundary.dominant_before, hit.t);
     for (const Crossing& crossing : hit.crossings) left *= scene.material_of(crossing.object).transmission;
-    if (sides.opaque || is_black(left)) return {};
+    if (boundary.opaque || is_black(left)) return {};
     rest -= hit.t;
     ray.origin = hit.point;
     departures = hit.through();
-    media = sides.after;
+    media = boundary.after;
   }
   return {};
 }
@@ -41,7 +41,7 @@ Rgb filtered(const Scene& scene, const Intersector& intersector, Ray ray, Depart
 Rgb reaching(const Scene& scene, const Intersector& intersector, const Ray& ray, const Departures& departures,
              const Around& around, double distance) {
   if (!scene.plan.shadow || !intersector.occluded(ray, departures, distance))
-    return left_by(scene, around.ruler, distance);
+    return left_by(scene, around.dominant, distance);
   return scene.paper.shadow_filter ? filtered(scene, intersector, ray, departures, around.media, distance) : Rgb{};
 }
 
@@ -52,7 +52,7 @@ DirectLight direct_light(const Scene& scene, const Intersector& intersector, Vec
   DirectLight result;
   for (std::size_t l = 0; l < scene.lights.size(); ++l) {
     const Light& light = scene.lights[l];
-    const int samples = is_sharp(light) ? 1 : samples_per_light;
+    const int samples = is_delta(light) ? 1 : samples_per_light;
     const Stream stream = within(draw.stream, l);
     Rgb sum;
     for (int s = 0; s < samples; ++s) {

@@ -17,7 +17,7 @@ struct LightDraw {
 /// The solids on the viewer's side of a surface, and the one whose medium rules there.
 struct Around {
   const MediumSet& media;
-  std::uint32_t ruler = kAir;
+  std::uint32_t dominant = kAir;
 };
 
 struct DirectLight {

@@ -41,7 +41,7 @@ Rgb gathered_radiance(const Scene& scene, const Intersector& intersector, const 
     }
     walk.weight = walk.weight * (1 / (1 - stops));
     const StepSample sample{(u[0] - stops) / (1 - stops), u[1], u[2], u[3]};
-    if (step(scene, arrival, sample, Travels::look, walk) == WayOn::none) return {};
+    if (step(scene, arrival, sample, Travels::look, walk) == SampledLobe::none) return {};
   }
   return {};
 }

@@ -36,13 +36,13 @@ std::optional<std::string> lost_share(const Ledger& ledger, Rgb lost) {
 void warn_of_truncated_light(const Scene& scene, const PhotonStatistics& statistics,
                              std::vector<std::string>& warnings) {
   const Ledger& ledger = statistics.ledger;
-  if (const auto share = lost_share(ledger, ledger.truncated - statistics.torn)) {
+  if (const auto share = lost_share(ledger, ledger.truncated - statistics.at_discontinuities)) {
     warnings.push_back(*share + " of the photons' light was cut after " +
                        std::to_string(scene.transport.max_reflections) + " reflections or " +
                        std::to_string(scene.transport.max_transmissions) +
                        " transmissions; raise transport.max_reflections or max_transmissions");
   }
-  if (const auto share = lost_share(ledger, statistics.torn)) {
+  if (const auto share = lost_share(ledger, statistics.at_discontinuities)) {
     warnings.push_back(*share + " of the photons' light fell between beams, where rays part; raise photons");
   }
 }

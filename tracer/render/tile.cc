@@ -28,7 +28,7 @@ struct PixelSampler {
   // Whether a look through one place may see two things: by a rough face, by lamps with an extent, or by looks around.
   static bool draws_lots(const Scene& scene) {
     const bool extended =
-        std::any_of(scene.lights.begin(), scene.lights.end(), [](const Light& light) { return !is_sharp(light); });
+        std::any_of(scene.lights.begin(), scene.lights.end(), [](const Light& light) { return !is_delta(light); });
     return extended || scene.plan.roughness || scene.transport.indirect == Indirect::photons;
   }
 

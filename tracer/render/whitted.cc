@@ -130,13 +130,13 @@ void CameraTracer::meet(const Look& look, const Arrival& arrival, const Interact
 namespace {
 
 // The first specular event names the layer, total internal reflection anywhere overrides it.
-Layer layer_after(Layer before, Way way) {
-  switch (way) {
-    case Way::sent_back:
+Layer layer_after(Layer before, Lobe lobe) {
+  switch (lobe) {
+    case Lobe::total_internal_reflection:
       return Layer::total_internal_reflection;
-    case Way::mirrored:
+    case Lobe::reflection:
       return before == Layer::diffusion ? Layer::reflection : before;
-    case Way::let_through:
+    case Lobe::transmission:
       return before == Layer::diffusion ? Layer::refraction : before;
   }
   __builtin_unreachable();
@@ -145,7 +145,7 @@ Layer layer_after(Layer before, Way way) {
 }  // namespace
 
 void CameraTracer::send(const Look& look, const Arrival& arrival, const Branch& branch, Rgb throughput) {
-  const Depth depth = look.depth.after(branch.way);
+  const Depth depth = look.depth.after(branch.lobe);
   if (!(largest_channel(throughput) >= kLeastCameraShare) || !scene_.within_depth(depth)) return;
   pending_.push_back({{arrival.hit.point, branch.direction},
                       branch.departures,
@@ -155,7 +155,7 @@ void CameraTracer::send(const Look& look, const Arrival& arrival, const Branch& 
                       look.band_chosen,
                       depth,
                       look.scattered,
-                      layer_after(look.layer, branch.way)});
+                      layer_after(look.layer, branch.lobe)});
 }
 
 }  // namespace vitrail

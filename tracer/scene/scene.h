@@ -185,11 +185,11 @@ struct Transport {
   int max_reflections = 8, max_transmissions = 64;
 };
 
-/// How light goes on from a mirror or a face of glass.
-enum class Way {
-  mirrored,  // the mirror's share
-  let_through,
-  sent_back,  // by total reflection: what would have been let through
+/// The delta lobes of a mirror or a dielectric interface.
+enum class Lobe {
+  reflection,  // the mirror's share
+  transmission,
+  total_internal_reflection,  // what would have been transmitted
 };
 
 /// The faces on a path so far. What total reflection sends back never branches, so it counts with what is let through.
@@ -197,8 +197,8 @@ struct Depth {
   int reflections = 0, transmissions = 0;
 
   int faces() const { return reflections + transmissions; }
-  Depth after(Way way) const {
-    return way == Way::mirrored ? Depth{reflections + 1, transmissions} : Depth{reflections, transmissions + 1};
+  Depth after(Lobe lobe) const {
+    return lobe == Lobe::reflection ? Depth{reflections + 1, transmissions} : Depth{reflections, transmissions + 1};
   }
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-/// A beam: what leaves the light between three neighbouring rays that take the same way, where it lands.
+/// A beam: what leaves the light between three neighbouring rays with the same path signature, where it lands.
 ///
 /// The flux between the rays is known exactly, and so is the area that they enclose on the surface: their quotient is
 /// the irradiance, without any kernel and without noise [Heckbert and Hanrahan 1984; Watt 1990].
@@ -30,7 +30,7 @@ struct BeamBlock {
   std::vector<BeamCorner> corners;
   std::vector<Beam> beams;
   Ledger ledger;
-  Rgb torn;  // W, of what is truncated: it landed between rays that part
+  Rgb at_discontinuities;  // W, the part of what is truncated that landed between rays of different signatures
   std::uint64_t rays = 0;
 };
 

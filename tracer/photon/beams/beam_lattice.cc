@@ -18,16 +18,17 @@ constexpr double kDrawnShare = 1.0 / 8;
 
 constexpr std::uint32_t kFewestCells = 4;
 
-// Half of the rays are kept for the cells at tears.
+// Half of the rays are kept for the cells at discontinuities.
 constexpr double kRaysPerCell = 2;
 
-// A tear crosses about 4 cells a row. Halving a cell k times traces 2^k rays along it, so up to cells / 16 the rays at
-// tears are no more than those of the lattice, and what is left undecided falls with the square of the cells.
+// A discontinuity crosses about 4 cells per row. Halving a cell k times traces 2^k rays along it, so up to cells / 16
+// the rays at discontinuities are no more than those of the lattice, and what is left undecided falls with the square
+// of the cells.
 constexpr double kCellsPerPiece = 16;
 constexpr int kMostHalvings = 10;
 
-// Thin glass sends light on along hundreds of ways, each with tears of its own: so many rays a cell are enough for
-// them, and what is torn from there on is not looked at closer.
+// Thin glass sends light on along paths of hundreds of signatures, each with discontinuities of its own: so many rays
+// per cell are enough for them, and what is discontinuous from there on is not refined.
 constexpr std::uint64_t kMostRaysPerCell = 8;
 
 // Light that lands so many radii of the scene away, near the horizon of an infinite floor, is too thin to be seen.
@@ -74,7 +75,7 @@ class BeamTracer : private LandingSink {
  private:
   // A place on a surface that a ray reaches.
   struct End {
-    std::uint64_t way;
+    PathSignature signature;
     std::uint32_t corner;
     bool far;
     Rgb kept;
@@ -86,7 +87,7 @@ class BeamTracer : private LandingSink {
     Ledger ledger;
   };
   using Triangle = std::array<std::uint32_t, 3>;
-  using Ways = std::vector<std::uint64_t>;
+  using Signatures = std::vector<PathSignature>;
 
   std::uint32_t ray(std::uint32_t a, std::uint32_t b) {
     const auto [found, is_new] =
@@ -95,7 +96,7 @@ class BeamTracer : private LandingSink {
     return found->second;
   }
 
-  // Follow a ray to all its ends, in the order of their names.
+  // Follow a ray to all its ends, in the order of their signatures.
   LatticeRay traced(std::uint32_t a, std::uint32_t b) {
     const double all = static_cast<double>(lattice_.cells_) * pieces_;
     LatticeRay result{a, b, a / all, b / all, 0, 0, {}};
@@ -110,7 +111,8 @@ class BeamTracer : private LandingSink {
     }
     result.ledger = ledger_of_ray_;
     result.end_count = static_cast<std::uint32_t>(ends_.size()) - result.first_end;
-    std::sort(ends_.begin() + result.first_end, ends_.end(), [](const End& x, const End& y) { return x.way < y.way; });
+    std::sort(ends_.begin() + result.first_end, ends_.end(),
+              [](const End& x, const End& y) { return x.signature < y.signature; });
     return result;
   }
 
@@ -123,15 +125,16 @@ class BeamTracer : private LandingSink {
     as_floats(landing.flux, corner.power);
     const double away = length(landing.position - lattice_.pass_.frame.origin);
     const bool far = away > kFarInRadii * lattice_.pass_.radius_m;
-    ends_.push_back({landing.way, static_cast<std::uint32_t>(block_.corners.size()), far, landing.kept});
+    ends_.push_back({landing.signature, static_cast<std::uint32_t>(block_.corners.size()), far, landing.kept});
     block_.corners.push_back(corner);
   }
 
-  const End* end_of(std::uint32_t ray, std::uint64_t way) const {
+  const End* end_of(std::uint32_t ray, PathSignature signature) const {
     const LatticeRay& from = rays_[ray];
     const auto first = ends_.begin() + from.first_end, last = first + from.end_count;
-    const auto found = std::lower_bound(first, last, way, [](const End& end, std::uint64_t w) { return end.way < w; });
-    return found != last && found->way == way ? &*found : nullptr;
+    const auto found =
+        std::lower_bound(first, last, signature, [](const End& end, PathSignature s) { return end.signature < s; });
+    return found != last && found->signature == signature ? &*found : nullptr;
   }
 
   double share_of(const Triangle& t) const {
@@ -139,27 +142,27 @@ class BeamTracer : private LandingSink {
     return std::abs((q.x - p.x) * (r.y - p.y) - (r.x - p.x) * (q.y - p.y)) / 2;
   }
 
-  // Put a beam on every way that all three rays take, and look closer where one of them does not. `done` are the ways
-  // that have their beam from a larger triangle.
-  void triangle(const Triangle& t, int halvings, Ways done) {
-    Ways torn;
+  // Put a beam on every signature that all three rays have, and refine where one of them does not. `done` are the
+  // signatures that have their beam from a larger triangle.
+  void triangle(const Triangle& t, int halvings, Signatures done) {
+    Signatures discontinuous;
     bool matters = false;
     for (const std::uint32_t ray : t) {
       const LatticeRay& from = rays_[ray];
       for (std::uint32_t e = from.first_end; e < from.first_end + from.end_count; ++e) {
-        const std::uint64_t way = ends_[e].way;
-        if (std::find(done.begin(), done.end(), way) != done.end()) continue;
-        if (std::find(torn.begin(), torn.end(), way) != torn.end()) continue;
-        if (beam(t, way)) {
-          done.push_back(way);
+        const PathSignature signature = ends_[e].signature;
+        if (std::find(done.begin(), done.end(), signature) != done.end()) continue;
+        if (std::find(discontinuous.begin(), discontinuous.end(), signature) != discontinuous.end()) continue;
+        if (beam(t, signature)) {
+          done.push_back(signature);
         } else {
-          torn.push_back(way);
+          discontinuous.push_back(signature);
           matters = matters || !ends_[e].far;
         }
       }
     }
     if (!matters || halvings == 0 || block_.rays >= most_rays_) {
-      book(t, torn);
+      enter_in_ledger(t, discontinuous);
       return;
     }
     const Triangle middle{between(t[0], t[1]), between(t[1], t[2]), between(t[2], t[0])};
@@ -173,10 +176,10 @@ class BeamTracer : private LandingSink {
     return ray((rays_[p].a + rays_[q].a) / 2, (rays_[p].b + rays_[q].b) / 2);
   }
 
-  bool beam(const Triangle& t, std::uint64_t way) {
+  bool beam(const Triangle& t, PathSignature signature) {
     Beam beam{{}, static_cast<float>(share_of(t))};
     for (int k = 0; k < 3; ++k) {
-      const End* end = end_of(t[k], way);
+      const End* end = end_of(t[k], signature);
       if (end == nullptr) return false;
       beam.corner[k] = end->corner;
     }
@@ -184,19 +187,19 @@ class BeamTracer : private LandingSink {
     return true;
   }
 
-  // Each ray stands for a third of the triangle; what landed on a torn way is in no beam.
-  void book(const Triangle& t, const Ways& torn) {
+  // Each ray stands for a third of the triangle; what landed under a discontinuous signature is in no beam.
+  void enter_in_ledger(const Triangle& t, const Signatures& discontinuous) {
     const double third = share_of(t) / 3;
     for (const std::uint32_t ray : t) {
-      Ledger books = rays_[ray].ledger;
-      for (const std::uint64_t way : torn) {
-        if (const End* end = end_of(ray, way)) {
-          books.stored = books.stored - end->kept;
-          (end->far ? books.escaped : books.truncated) += end->kept;
-          if (!end->far) block_.torn += end->kept * third;
+      Ledger ledger = rays_[ray].ledger;
+      for (const PathSignature signature : discontinuous) {
+        if (const End* end = end_of(ray, signature)) {
+          ledger.stored = ledger.stored - end->kept;
+          (end->far ? ledger.escaped : ledger.truncated) += end->kept;
+          if (!end->far) block_.at_discontinuities += end->kept * third;
         }
       }
-      block_.ledger += books.scaled(third);
+      block_.ledger += ledger.scaled(third);
     }
   }
 

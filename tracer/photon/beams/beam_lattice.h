@@ -3,7 +3,7 @@
 ///
 /// Rays that light sends on its way next to each other land next to each other, as long as they meet the same faces.
 /// Where they do not - at the edge of a lens, at the critical angle - the lattice is halved again and again, and what
-/// is left undecided at the end is booked as truncated. The error falls as the number of rays: with the square of the
+/// is left undecided at the end is counted as truncated. The error falls as the number of rays: with the square of the
 /// cells.
 
 #include <memory>

@@ -19,7 +19,8 @@ class BeamMap {
   /// its rays over the area that they enclose, and its corners' powers interpolated.
   Rgb irradiance(const GatherQuery& query) const;
 
-  /// Peak bytes while a map of so many corners is made: two beams a corner, and as much again for those at tears.
+  /// Peak bytes while a map of so many corners is made: two beams a corner, and as much again for those at
+  /// discontinuities.
   static std::size_t predicted_bytes(std::size_t corners);
 
   std::size_t size() const { return beams_.size(); }

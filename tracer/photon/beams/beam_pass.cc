@@ -37,12 +37,12 @@ void make_beams(const PhotonPass& pass, const std::vector<Chart>& charts, unsign
     monitor.advance(1);
   });
 
-  // Add the books in the order of the blocks.
+  // Add the ledgers in the order of the blocks.
   PhotonStatistics& statistics = maps.statistics;
   std::vector<BeamBlock> of_half[2];
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     statistics.ledger += blocks[b].ledger;
-    statistics.torn += blocks[b].torn * 0.5;
+    statistics.at_discontinuities += blocks[b].at_discontinuities * 0.5;
     statistics.emitted += blocks[b].rays;
     statistics.stored += blocks[b].beams.size();
     statistics.trace_cpu_s += cpu_s[b];

@@ -151,7 +151,7 @@ void PhotonWave::store(const Group& group, std::size_t i) {
   block_.photons.push_back(make_photon(pass_.frame, group.point_of(i), group.normal_of(i), group.flux_of(i)));
 }
 
-// Store what may be seen here, and book what goes no farther.
+// Store what may be seen here, and enter what goes no farther in the ledger.
 void PhotonWave::end(const Group& group) {
   const bool stores = face_of(group).stores;
   Rgb stored, absorbed;
@@ -175,14 +175,14 @@ void PhotonWave::send(const Group& group, const std::array<DielectricLanes::Colu
   std::size_t count = 0;
   const double* const least = std::as_const(now_).least_column();
   const bool sends_back = face_of(group).transmits && !scene_.paper.tir_drop;
-  const auto way = [&](std::size_t i) {
-    if (passes) return Way::let_through;
-    return sends_back && lanes_->radicand[i] < 0 ? Way::sent_back : Way::mirrored;
+  const auto lobe = [&](std::size_t i) {
+    if (passes) return Lobe::transmission;
+    return sends_back && lanes_->radicand[i] < 0 ? Lobe::total_internal_reflection : Lobe::reflection;
   };
   for (std::size_t i = 0; i < group.count; ++i) {
     const Rgb share{flux[0][i], flux[1][i], flux[2][i]};
     const double largest = largest_channel(share);
-    const Depth depth = now_.state(group.lane[i]).depth().after(way(i));
+    const Depth depth = now_.state(group.lane[i]).depth().after(lobe(i));
     const bool goes_on = largest >= least[group.lane[i]] && scene_.within_depth(depth);
     kept[count] = static_cast<std::uint16_t>(i);
     count += goes_on && largest > 0;
@@ -204,7 +204,7 @@ void PhotonWave::send(const Group& group, const std::array<DielectricLanes::Colu
   for (std::size_t k = 0; k < count; ++k) {
     const std::size_t i = kept[k], from = group.lane[i];
     DiscreteState state = now_.state(from);
-    state.set_depth(state.depth().after(way(i)));
+    state.set_depth(state.depth().after(lobe(i)));
     if (passes) state.medium = medium;
     state.departed_face = group.face[i];
     state.band = group.band[i];

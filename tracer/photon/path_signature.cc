@@ -1,4 +1,4 @@
-#include "photon/way.h"
+#include "photon/path_signature.h"
 
 #include <cmath>
 
@@ -7,7 +7,7 @@
 namespace vitrail {
 namespace {
 
-constexpr std::uint64_t kBands = 1u << 8;  // apart from the turns
+constexpr std::uint64_t kBands = 1u << 8;  // apart from the steps
 
 // Two triangles of one plane have the same normal but for rounding.
 constexpr double kNormalSteps = 1e6;
@@ -25,14 +25,16 @@ std::uint64_t name_of(const Scene& scene, const Crossing& crossing) {
 
 }  // namespace
 
-std::uint64_t on_the_way(const Scene& scene, std::uint64_t way, const Arrival& arrival, Turn turn) {
-  Stream name = within(Stream{way}, static_cast<std::uint64_t>(turn));
+PathSignature extended(const Scene& scene, PathSignature signature, const Arrival& arrival, PathStep step) {
+  Stream name = within(Stream{static_cast<std::uint64_t>(signature)}, static_cast<std::uint64_t>(step));
   for (const Crossing& crossing : arrival.hit.crossings) {
     name = within(within(name, crossing.object), name_of(scene, crossing));
   }
-  return name.key;
+  return PathSignature{name.key};
 }
 
-std::uint64_t in_band(std::uint64_t way, std::uint32_t band) { return within(Stream{way}, kBands + band).key; }
+PathSignature in_band(PathSignature signature, std::uint32_t band) {
+  return PathSignature{within(Stream{static_cast<std::uint64_t>(signature)}, kBands + band).key};
+}
 
 }  // namespace vitrail
