@@ -6,6 +6,7 @@ import math
 from typing import Any
 
 from vitrail.engines.tracer import Tracer
+from vitrail.geometry.world import World
 from vitrail.lower.tracer import lower_tracer
 from vitrail.plan.analyse import everything
 from vitrail.plan.budget import settings_for
@@ -33,8 +34,9 @@ def follow(
 ) -> Vertices:
     """The vertices of the ray in the scene of these materials and objects, everything on."""
     scene = load_text(HEAD + body).scene
-    plan = everything(scene)
-    lowered = lower_tracer(scene, plan, settings_for(scene, plan, "draft"), wavelength_nm=wavelength_nm)
+    world = World.of_scene(scene)
+    plan = everything(world)
+    lowered = lower_tracer(world, plan, settings_for(world, plan, "draft"), wavelength_nm=wavelength_nm)
     words = [",".join(repr(x) for x in vector) for vector in (origin, direction)]
     arguments = ["--origin", words[0], "--direction", words[1], "--branch", branch, "--band", str(band)]
     return Tracer().trace(lowered, arguments)["vertices"]

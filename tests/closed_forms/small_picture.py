@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from vitrail.engines.tracer import Tracer
+from vitrail.geometry.world import World
 from vitrail.images.exr import read_image
 from vitrail.lower.tracer import lower_tracer
 from vitrail.plan.analyse import everything
@@ -21,8 +22,9 @@ Pixels = np.ndarray[Any, np.dtype[np.float64]]
 def picture(text: str, *, photons: int = 0) -> Pixels:
     """Radiance, (height, width, 3)."""
     scene = load_text(text).scene
-    plan = everything(scene)
-    settings = settings_for(scene, plan, "draft", photons=photons)
+    world = World.of_scene(scene)
+    plan = everything(world)
+    settings = settings_for(world, plan, "draft", photons=photons)
     with tempfile.TemporaryDirectory(prefix="vitrail-small-") as folder:
-        rendering = Tracer().render(lower_tracer(scene, plan, settings), Path(folder), threads=1)
+        rendering = Tracer().render(lower_tracer(world, plan, settings), Path(folder), threads=1)
         return read_image(rendering.image_path).radiance

@@ -9,8 +9,8 @@ import pytest
 
 from tests.closed_forms.one_ray import HEAD, angle_between, before, direction_of, down_at, events, follow, turn
 from tests.closed_forms.small_picture import picture
-from vitrail.lower.povray.lower import lower_povray
-from vitrail.lower.povray.refusals.refusal import NotTranslatable
+from vitrail.geometry.world import World
+from vitrail.lower.povray import NotTranslatable, lower_povray
 from vitrail.plan.analyse import analyse
 from vitrail.plan.budget import settings_for
 from vitrail.scene.diagnostic import SceneErrors
@@ -274,7 +274,7 @@ lights: [{name: sun, directional: {direction: [0.3, -1, 0.2], irradiance: 3}}]
     ],
 )
 def test_povray_refuses_what_it_cannot_read_by_the_letter(key, value):
-    scene = load_text(GLASS_BEFORE_A_FLOOR + f"paper: {{{key}: {value}}}\n").scene
-    plan = analyse(scene)
+    world = World.of_scene(load_text(GLASS_BEFORE_A_FLOOR + f"paper: {{{key}: {value}}}\n").scene)
+    plan = analyse(world)
     with pytest.raises(NotTranslatable, match=rf"literal reading `{key}`"):
-        lower_povray(scene, plan, settings_for(scene, plan, "draft"))
+        lower_povray(world, plan, settings_for(world, plan, "draft"))

@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 
 from tests.end_to_end.conftest import ROOT
+from vitrail.geometry.world import World
 from vitrail.judge.comparison import Verdict
 from vitrail.judge.records import Results, SceneResult, Status
 from vitrail.judge.reference_files import ReferencesError
@@ -38,10 +39,9 @@ def renderer() -> ModuleType:
 
 
 def lowered(loaded: Loaded) -> dict[str, object]:
-    plan = analyse(loaded.scene)
-    return json.loads(
-        json.dumps(lower_tracer(loaded.scene, plan, settings_for(loaded.scene, plan), loaded.path.parent))
-    )
+    world = World.of(loaded)
+    plan = analyse(world)
+    return json.loads(json.dumps(lower_tracer(world, plan, settings_for(world, plan))))
 
 
 @pytest.fixture(scope="module")

@@ -9,6 +9,7 @@ import pytest
 
 from tests.plan.small_scenes import FLOOR, ball_over_floor, make
 from vitrail.engines.tracer import Tracer
+from vitrail.geometry.world import World
 from vitrail.images.exr import read_image
 from vitrail.lower.povray import lower_povray
 from vitrail.lower.tracer import lower_tracer
@@ -21,8 +22,9 @@ AWAY = "{position: [0, 0.2, 40], look_at: [0, 0.2, 80], fov_deg: 10}"
 
 def render(scene: Scene, folder: Path) -> tuple[dict[str, Any], dict[str, Any], set[str]]:
     """The lowered scene, the run record, and the layers of the image."""
-    plan = analyse(scene)
-    lowered = lower_tracer(scene, plan, settings_for(scene, plan, "draft"))
+    world = World.of_scene(scene)
+    plan = analyse(world)
+    lowered = lower_tracer(world, plan, settings_for(world, plan, "draft"))
     made = Tracer().render(lowered, folder)
     return lowered, made.record, set(read_image(made.image_path).layers)
 
@@ -69,8 +71,9 @@ def test_roughness_below_the_error_is_not_sampled(tmp_path: Path) -> None:
 
 
 def povray_text(scene: Scene) -> str:
-    plan = analyse(scene)
-    return "\n".join(run.sdl for run in lower_povray(scene, plan, settings_for(scene, plan, "draft")).runs)
+    world = World.of_scene(scene)
+    plan = analyse(world)
+    return "\n".join(run.sdl for run in lower_povray(world, plan, settings_for(world, plan, "draft")).runs)
 
 
 def test_povray_gets_photons_only_for_a_caustic() -> None:

@@ -13,6 +13,7 @@ import pytest
 
 from vitrail.check.check import check_file
 from vitrail.engines.tracer import Tracer
+from vitrail.geometry.world import World
 from vitrail.images.exr import ImageLayers, read_image
 from vitrail.lower.tracer import lower_tracer
 from vitrail.plan.analyse import analyse, everything
@@ -35,18 +36,20 @@ def small(path: Path) -> Scene:
 
 
 def rendered(scene: Scene, plan: Plan, photons: int, folder: Path, source: Path) -> ImageLayers:
-    radius = settings_for(scene, analyse(scene)).gather_radius_m
-    settings = settings_for(scene, plan, "draft", photons=photons, gather_radius_m=radius)
-    return read_image(Tracer().render(lower_tracer(scene, plan, settings, source.parent), folder).image_path)
+    world = World.of_scene(scene, source.parent)
+    radius = settings_for(world, analyse(world)).gather_radius_m
+    settings = settings_for(world, plan, "draft", photons=photons, gather_radius_m=radius)
+    return read_image(Tracer().render(lower_tracer(world, plan, settings), folder).image_path)
 
 
 @pytest.mark.parametrize("path", SCENES, ids=lambda path: path.stem)
 def test_everything_on_gives_the_same_image_as_the_plan(path: Path, tmp_path: Path) -> None:
     """To the last bit: random numbers are functions of photon and pixel, so more work elsewhere disturbs none."""
     scene = small(path)
-    plan, most = analyse(scene), everything(scene)
+    world = World.of_scene(scene)
+    plan, most = analyse(world), everything(world)
     # The budget gives photons to caustics and to indirect light, and none to anything else.
-    photons = PHOTONS if settings_for(scene, plan, "draft").photons else 0
+    photons = PHOTONS if settings_for(world, plan, "draft").photons else 0
     needed = rendered(scene, plan, photons, tmp_path / "needed", path)
     full = rendered(scene, most, PHOTONS, tmp_path / "full", path)
     np.testing.assert_array_equal(needed.radiance, full.radiance)
@@ -67,17 +70,18 @@ objects:
 lights: []
 """)
     scene = loaded.scene
-    image = rendered(scene, everything(scene), 0, tmp_path, loaded.path)
+    image = rendered(scene, everything(World.of_scene(scene)), 0, tmp_path, loaded.path)
     # Weights are multiples of 2^-40; the image is kept in single precision.
     np.testing.assert_allclose(image.radiance, 1, rtol=2**-23)
 
 
 def test_progress_tells_the_phases(tmp_path: Path) -> None:
     scene = small(ROOT / "scenes" / "calibration" / "ball_lens.yaml")
-    plan = analyse(scene)
-    settings = settings_for(scene, plan, "draft")
+    world = World.of_scene(scene)
+    plan = analyse(world)
+    settings = settings_for(world, plan, "draft")
     steps: list[tuple[str, float, float]] = []
-    lowered = lower_tracer(scene, plan, settings)
+    lowered = lower_tracer(world, plan, settings)
     Tracer().render(lowered, tmp_path, progress=lambda *step: steps.append(step))
     assert {phase for phase, _, _ in steps} >= {"photon_pass", "camera"}
     assert all(0 <= done <= total for _, done, total in steps)
@@ -88,14 +92,15 @@ import sys
 from pathlib import Path
 from tests.engines.test_tracer_render import *
 scene = check_file(ROOT / "scenes" / "paper" / "figure_1.yaml").scene_or_raise().scene
-plan = analyse(scene)
-settings = settings_for(scene, plan, "draft", samples=256, photons=0)
+world = World.of_scene(scene)
+plan = analyse(world)
+settings = settings_for(world, plan, "draft", samples=256, photons=0)
 told = []
 def progress(phase, done, total):
     if phase == "camera" and done >= 1 and not told:
         told.append(True)
         print("under way", flush=True)
-made = Tracer().render(lower_tracer(scene, plan, settings), Path(sys.argv[1]), threads=1, progress=progress)
+made = Tracer().render(lower_tracer(world, plan, settings), Path(sys.argv[1]), threads=1, progress=progress)
 print("interrupted", made.interrupted, made.image_path.is_file(), flush=True)
 """
 
@@ -115,8 +120,9 @@ def test_ctrl_c_leaves_an_image_of_the_finished_work(tmp_path: Path) -> None:
 def test_a_traced_ray_has_the_vertices_of_snell() -> None:
     """Height 0.5 over a ball of radius 1, index 1.5: sin i = 0.5, sin r = 1/3, leaving turned by 2 (i - r)."""
     scene = check_file(ROOT / "tests" / "golden" / "plain.yaml").scene_or_raise().scene
-    plan = everything(scene)
-    lowered = lower_tracer(scene, plan, settings_for(scene, plan, "draft"))
+    world = World.of_scene(scene)
+    plan = everything(world)
+    lowered = lower_tracer(world, plan, settings_for(world, plan, "draft"))
     vertices = Tracer().trace(lowered, ["--origin", "0.5,4,0", "--direction", "0,-1,0"])["vertices"]
     assert [vertex["object"] for vertex in vertices] == ["ball", "ball", "floor"]
     turned = 2 * (np.arcsin(0.5) - np.arcsin(1 / 3))

@@ -10,6 +10,7 @@ import pytest
 
 from vitrail.base.canonical_json import canonical_json
 from vitrail.check.check import check_file
+from vitrail.geometry.world import World
 from vitrail.lower.tracer import lower_tracer
 from vitrail.optics.glass import glass_named
 from vitrail.plan.analyse import analyse, everything
@@ -22,8 +23,9 @@ NAMES = ("plain", "prism", "every_part")
 
 def lowered(name: str, *, all_on: bool = False, **options: object) -> dict:
     scene = check_file(GOLDEN / f"{name}.yaml").scene_or_raise().scene
-    plan = everything(scene) if all_on else analyse(scene)
-    return lower_tracer(scene, plan, settings_for(scene, plan), **options)  # type: ignore[arg-type]
+    world = World.of_scene(scene)
+    plan = everything(world) if all_on else analyse(world)
+    return lower_tracer(world, plan, settings_for(world, plan), **options)  # type: ignore[arg-type]
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -86,8 +88,9 @@ def test_nearly_matched_glass_keeps_the_digits_that_the_scene_gives() -> None:
 
     text = (GOLDEN / "plain.yaml").read_text(encoding="utf-8").replace("ior: 1.5", "ior: 1.000000000001")
     scene = load_text(text).scene
-    plan = analyse(scene)
-    made = lower_tracer(scene, plan, settings_for(scene, plan))
+    world = World.of_scene(scene)
+    plan = analyse(world)
+    made = lower_tracer(world, plan, settings_for(world, plan))
     assert part(made, "materials", "clear")["ior_minus_one_by_band"] == [1e-12]
 
 
@@ -114,10 +117,11 @@ def test_without_files_beside_the_scene_names_stay_and_with_them_they_become_who
     from vitrail.scene.load import load_text
 
     scene = load_text(text).scene
-    plan = analyse(scene)
-    settings = settings_for(scene, plan)
-    assert lower_tracer(scene, plan, settings)["objects"][1]["shape"]["file"] == "ball.ply"
-    beside = lower_tracer(scene, plan, settings, tmp_path)["objects"][1]["shape"]["file"]
+    world = World.of_scene(scene)
+    plan = analyse(world)
+    settings = settings_for(world, plan)
+    assert lower_tracer(world, plan, settings)["objects"][1]["shape"]["file"] == "ball.ply"
+    beside = lower_tracer(World.of_scene(scene, tmp_path), plan, settings)["objects"][1]["shape"]["file"]
     assert beside == str(tmp_path.resolve() / "ball.ply")
 
 

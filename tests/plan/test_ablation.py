@@ -8,6 +8,7 @@ import pytest
 
 from tests.plan.small_scenes import FLOOR, ball_over_floor, make
 from vitrail.base.phenomenon import Phenomenon
+from vitrail.geometry.world import World
 from vitrail.lower.tracer import lower_tracer
 from vitrail.plan.ablation import Ablation, ablations
 from vitrail.plan.analyse import analyse
@@ -23,11 +24,13 @@ AMBIENT = "{indirect: {ambient: 1}}"
 
 
 def off(scene: Scene, name: str) -> Ablation:
-    return next(each for each in ablations(scene, analyse(scene)) if each.name == name)
+    world = World.of_scene(scene)
+    return next(each for each in ablations(world, analyse(world)) if each.name == name)
 
 
 def names(scene: Scene) -> list[str]:
-    return [each.name for each in ablations(scene, analyse(scene))]
+    world = World.of_scene(scene)
+    return [each.name for each in ablations(world, analyse(world))]
 
 
 def changed(old: Any, new: Any, place: str = "") -> dict[str, Any]:
@@ -104,9 +107,11 @@ def test_what_a_plan_does_not_require_is_not_switched_off() -> None:
 def test_every_ablated_scene_is_a_scene_and_both_engines_read_the_same(name: str) -> None:
     """It can be printed and read again with all checks, and lowered: no engine gets a form of its own."""
     scene = ball_over_floor(name)
-    for ablated in ablations(scene, analyse(scene)):
+    world = World.of_scene(scene)
+    for ablated in ablations(world, analyse(world)):
         assert load_text(print_scene(ablated.scene)).scene == ablated.scene, ablated.name
-        plan = analyse(ablated.scene)
-        lowered = lower_tracer(ablated.scene, plan, settings_for(ablated.scene, plan, "draft"))
+        world = World.of_scene(ablated.scene)
+        plan = analyse(world)
+        lowered = lower_tracer(world, plan, settings_for(world, plan, "draft"))
         assert len(lowered["objects"]) == len(ablated.scene.objects)
         assert ablated.absent <= ablated.touched | {P.SHADOW}

@@ -6,6 +6,7 @@ import pytest
 
 from tests.plan.small_scenes import BALL, FLOOR, ball_over_floor, make
 from vitrail.base.phenomenon import Phenomenon as P
+from vitrail.geometry.world import World
 from vitrail.plan.analyse import analyse, everything
 from vitrail.plan.plan import Plan
 from vitrail.scene.model import Scene
@@ -14,7 +15,7 @@ AWAY = "{position: [0, 8, 0], look_at: [0, 16, 0], up: [0, 0, -1], fov_deg: 40}"
 
 
 def required(scene: Scene) -> set[P]:
-    plan = analyse(scene)
+    plan = analyse(World.of_scene(scene))
     return {phenomenon for phenomenon in P if plan.requires(phenomenon)}
 
 
@@ -24,7 +25,7 @@ def evidence(plan: Plan, phenomenon: P) -> str:
 
 def test_every_phenomenon_has_an_entry_with_evidence_and_cost() -> None:
     for scene in (ball_over_floor("flint"), make(FLOOR)):
-        plan = analyse(scene)
+        plan = analyse(World.of_scene(scene))
         assert list(plan.entries) == list(P)
         assert all(entry.evidence and all(entry.evidence) and entry.cost for entry in plan.entries.values())
 
@@ -56,7 +57,7 @@ def test_a_clear_ball_needs_no_reflection_and_no_bands() -> None:
     ],
 )
 def test_what_is_needed_says_why(material: str, phenomenon: P, words: str) -> None:
-    plan = analyse(ball_over_floor(material))
+    plan = analyse(World.of_scene(ball_over_floor(material)))
     assert plan.requires(phenomenon)
     assert words in evidence(plan, phenomenon)
 
@@ -76,7 +77,7 @@ def test_what_is_needed_says_why(material: str, phenomenon: P, words: str) -> No
     ],
 )
 def test_what_is_not_needed_says_why_not(material: str, phenomenon: P) -> None:
-    plan = analyse(ball_over_floor(material))
+    plan = analyse(World.of_scene(ball_over_floor(material)))
     assert not plan.requires(phenomenon)
     assert plan.entries[phenomenon].cost == "none"
 
@@ -91,7 +92,7 @@ def test_what_is_not_needed_says_why_not(material: str, phenomenon: P) -> None:
     ],
 )
 def test_what_is_below_the_stated_error_is_left_out_with_its_number(material: str, phenomenon: P, number: str) -> None:
-    plan = analyse(ball_over_floor(material))
+    plan = analyse(World.of_scene(ball_over_floor(material)))
     assert not plan.requires(phenomenon)
     assert any("`ball`" in warning and number in warning for warning in plan.warnings)
 
@@ -119,7 +120,7 @@ def test_indirect_light_needs_two_surfaces_and_a_wish() -> None:
     wall = "{name: wall, plane: {point: [0, 0, -5], normal: [0, 0, 1]}, material: white}"
     assert P.INDIRECT_LIGHT not in required(make(FLOOR, wall))
     assert P.INDIRECT_LIGHT not in required(make(FLOOR, transport="{indirect: photons}"))
-    plan = analyse(make(FLOOR, wall, transport="{indirect: photons}"))
+    plan = analyse(World.of_scene(make(FLOOR, wall, transport="{indirect: photons}")))
     assert plan.requires(P.INDIRECT_LIGHT)
     assert "up to 4 times the direct light" in evidence(plan, P.INDIRECT_LIGHT)
 
@@ -128,17 +129,20 @@ def test_an_area_light_has_the_width_of_its_penumbra() -> None:
     """A lamp of radius 1, 4 m above a ball that is 2 m above the floor; the sphere around its bounds has radius sqrt 2:
     2 atan(sqrt 2 / 4) * 2 m = 1.36 m, in pixels of 2 * 8 m * tan(20 deg) / 100 = 5.8 cm."""
     lamp = "{name: lamp, area: {disc: {center: [0, 6, 0], normal: [0, -1, 0], radius: 1}, radiance: 5}}"
-    plan = analyse(ball_over_floor("black", lights=(lamp,)))
+    plan = analyse(World.of_scene(ball_over_floor("black", lights=(lamp,))))
     assert "with an edge about 23 px wide" in evidence(plan, P.SHADOW)
 
 
 def test_an_observation_in_vain_is_a_warning() -> None:
     spot = "{name: spot, phenomenon: caustic, patch: {center: [0, 0, 0], u: [1, 0, 0], v: [0, 0, 1]}}"
-    assert any("`spot` observes caustic" in warning for warning in analyse(make(FLOOR, observe=(spot,))).warnings)
+    assert any(
+        "`spot` observes caustic" in warning
+        for warning in analyse(World.of_scene(make(FLOOR, observe=(spot,)))).warnings
+    )
 
 
 def test_everything_is_on_as_far_as_the_materials_go() -> None:
-    plan = everything(ball_over_floor("clear", camera=AWAY))
+    plan = everything(World.of_scene(ball_over_floor("clear", camera=AWAY)))
     assert {p for p in P if plan.requires(p)} == {
         P.DIFFUSION,
         P.REFLECTION,
@@ -154,7 +158,7 @@ def test_everything_is_on_as_far_as_the_materials_go() -> None:
 def test_everything_needs_at_least_what_the_plan_needs() -> None:
     for material in ("mirror", "window", "flint", "frosted", "smoky", "air"):
         scene = ball_over_floor(material, transport="{indirect: photons}")
-        most = everything(scene)
+        most = everything(World.of_scene(scene))
         assert all(most.requires(phenomenon) for phenomenon in required(scene))
 
 
@@ -183,4 +187,4 @@ def test_a_mirrored_room_has_caustics_and_no_end() -> None:
     shiny = scene.materials["white"].model_copy(update={"reflection": (0.1, 0.1, 0.1)})
     room = scene.model_copy(update={"materials": {**scene.materials, "white": shiny}})
     assert P.CAUSTIC in required(room)
-    assert not analyse(room).chain.proven
+    assert not analyse(World.of_scene(room)).chain.proven

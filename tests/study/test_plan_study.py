@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from vitrail.base.phenomenon import Phenomenon
+from vitrail.geometry.world import World
 from vitrail.pipeline.task import Row
 from vitrail.pipeline.task_log import read_rows
 from vitrail.plan.analyse import analyse
@@ -58,7 +59,7 @@ def test_the_measured_table_of_two_scenes(tmp_path: Path) -> None:
 
 def test_every_phenomenon_can_be_taken_out_of_a_scene_that_has_it() -> None:
     scene = load(SCENES / "paper" / "goblet.yaml").scene
-    plan = analyse(scene)
+    plan = analyse(World.of_scene(scene))
     assert set(HOW) == set(Phenomenon)
     for phenomenon in Phenomenon:
         less, less_plan = without(scene, plan, phenomenon)

@@ -9,6 +9,7 @@ import pytest
 from typer.testing import CliRunner
 
 from vitrail.commands.tradeoff import tradeoff
+from vitrail.geometry.world import World
 from vitrail.pipeline.task_log import read_rows
 from vitrail.plan.analyse import analyse
 from vitrail.scene.load import load
@@ -92,7 +93,9 @@ def test_a_scene_that_observes_nothing_is_refused_with_the_remedy(program, tmp_p
 )
 def test_only_knobs_with_a_meaning_are_turned(scene: str, knobs: set[str]) -> None:
     loaded = load(SCENES / f"{scene}.yaml").scene
-    tried = [{**each.settings, **each.wishes} for each in matrix(loaded, analyse(loaded), 0.01, "quick")]
+    tried = [
+        {**each.settings, **each.wishes} for each in matrix(loaded, analyse(World.of_scene(loaded)), 0.01, "quick")
+    ]
     names = {name for each in tried for name in each}
     own = loaded.transport.model_dump()
     assert not [each for each in tried for name in each if name in own and each[name] == own[name]], "tried twice"
@@ -102,7 +105,7 @@ def test_only_knobs_with_a_meaning_are_turned(scene: str, knobs: set[str]) -> No
 
 def test_only_the_tracer_counts_light_in_pixels() -> None:
     loaded = load(SCENES / "ball_lens.yaml").scene
-    tried = matrix(loaded, analyse(loaded), 0.01, "normal")
+    tried = matrix(loaded, analyse(World.of_scene(loaded)), 0.01, "normal")
     for solver in ("light_bins", "beams"):
         assert {each.engine for each in tried if each.settings.get("solver") == solver} == {"tracer"}
     assert len({(each.engine, each.seed, each.label) for each in tried}) == len(tried)

@@ -47,20 +47,20 @@ def emitted(engine: EngineName, path: Path, quality: str, assignments: list[str]
     """File name to text, or to the pixels of a sky; all made before the first is written."""
     from vitrail.base.canonical_json import canonical_json
     from vitrail.commands.scene_file import read_scene
+    from vitrail.geometry.world import World
     from vitrail.lower.tracer import lower_tracer
     from vitrail.plan.analyse import analyse
 
-    loaded = read_scene(path)
-    found = analyse(loaded.scene)
-    chosen = parse_settings(loaded.scene, found, quality, assignments)
+    world = World.of(read_scene(path))
+    found = analyse(world)
+    chosen = parse_settings(world, found, quality, assignments)
     match engine:
         case EngineName.TRACER:
-            folder = loaded.path.parent.resolve()
-            return {"scene.json": canonical_json(lower_tracer(loaded.scene, found, chosen, folder))}
+            return {"scene.json": canonical_json(lower_tracer(world, found, chosen))}
         case EngineName.POVRAY:
             from vitrail.lower.povray import lower_povray
 
-            translated = lower_povray(loaded.scene, found, chosen, loaded)
+            translated = lower_povray(world, found, chosen)
             certificate = canonical_json(translated.certificate.as_records())
             scenes = {name: text for run in translated.runs for name, text in run.texts.items()}
             skies = {run.sky.name: run.sky.pixels for run in translated.runs if run.sky is not None}

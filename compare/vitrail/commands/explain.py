@@ -23,13 +23,15 @@ def explain(
 ) -> None:
     with exit_codes():
         from vitrail.commands.scene_file import read_scene
+        from vitrail.geometry.world import World
         from vitrail.lower.povray import lower_povray
         from vitrail.plan.analyse import analyse
 
         loaded = read_scene(scene)
-        found = analyse(loaded.scene)
-        chosen = parse_settings(loaded.scene, found, quality, settings)
-        certificate = lower_povray(loaded.scene, found, chosen, loaded).certificate
+        world = World.of(loaded)
+        found = analyse(world)
+        chosen = parse_settings(world, found, quality, settings)
+        certificate = lower_povray(world, found, chosen).certificate
     if as_json:
         print_json({"scene": str(scene), "certificate": certificate.as_records()})
     else:

@@ -22,12 +22,14 @@ def plan(
 ) -> None:
     with exit_codes():
         from vitrail.commands.scene_file import read_scene
+        from vitrail.geometry.world import World
         from vitrail.plan.analyse import analyse
         from vitrail.plan.budget import settings_for
 
         loaded = read_scene(scene)
-        found = analyse(loaded.scene)
-        settings = settings_for(loaded.scene, found)
+        world = World.of(loaded)
+        found = analyse(world)
+        settings = settings_for(world, found)
     for warning in found.warnings:
         typer.echo(f"warning: {warning}", err=True)
     if as_json:

@@ -53,12 +53,14 @@ def render(
         if out.suffix != ".exr":
             raise usage_error(f"--out {out}: the image is an EXR file; end its name with .exr")
         from vitrail.commands.scene_file import read_scene
+        from vitrail.geometry.world import World
         from vitrail.plan.analyse import analyse
 
         loaded = read_scene(scene)
-        plan = analyse(loaded.scene)
+        world = World.of(loaded)
+        plan = analyse(world)
         options = {"samples": samples, "photons": photons, "seed": seed, "solver": solver}
-        chosen = parse_settings(loaded.scene, plan, quality, settings, **options)
+        chosen = parse_settings(world, plan, quality, settings, **options)
         for warning in plan.warnings:
             typer.echo(f"warning: {warning}", err=True)
         given = samples is not None or any(each.split("=")[0].strip() == "samples" for each in settings)
@@ -105,7 +107,9 @@ def _rendered(engine: EngineName, loaded: Loaded, plan: Plan, settings: Settings
     from vitrail.base.canonical_json import canonical_json
     from vitrail.commands.progress_bar import progress_bar
     from vitrail.engines.base import Rendering
+    from vitrail.geometry.world import World
 
+    world = World.of(loaded)
     out.parent.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=out.parent, prefix=f".{out.stem}-") as work, progress_bar(out.stem) as show:
         match engine:
@@ -113,13 +117,13 @@ def _rendered(engine: EngineName, loaded: Loaded, plan: Plan, settings: Settings
                 from vitrail.engines.tracer import Tracer
                 from vitrail.lower.tracer import lower_tracer
 
-                lowered = lower_tracer(loaded.scene, plan, settings, loaded.path.parent.resolve())
+                lowered = lower_tracer(world, plan, settings)
                 made = Tracer().render(lowered, Path(work), threads=threads, progress=show)
             case EngineName.POVRAY:
                 from vitrail.engines.povray import Povray
                 from vitrail.lower.povray import lower_povray
 
-                translated = lower_povray(loaded.scene, plan, settings, loaded)
+                translated = lower_povray(world, plan, settings)
                 made = Povray().render(translated, Path(work), threads=threads, progress=show)
             case _:
                 assert_never(engine)

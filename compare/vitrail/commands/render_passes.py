@@ -52,6 +52,7 @@ def render_passes(
     """Make the passes; what came of them, and the exit code."""
     from vitrail.commands.progress_bar import progress_bar
     from vitrail.engines.tracer import Tracer
+    from vitrail.geometry.world import World
     from vitrail.judge.references import read_scene_truth, references_folder
     from vitrail.judge.thresholds import thresholds_of
     from vitrail.lower.tracer import lower_tracer
@@ -71,7 +72,7 @@ def render_passes(
     with reference_errors():
         references = references_folder(loaded.path)
         truth = read_scene_truth(references, loaded.path.stem, loaded.scene)
-        lowered = lower_tracer(loaded.scene, plan, settings, loaded.path.parent.resolve())
+        lowered = lower_tracer(World.of(loaded), plan, settings)
         job = Job(loaded.scene, lowered, out, truth, thresholds_of(references), Tracer(), threads)
         try:
             with progress_bar(out.stem) as show, patient_interrupt() as interrupt:

@@ -9,15 +9,15 @@ import typer
 from vitrail.commands.exit_code import usage_error
 
 if TYPE_CHECKING:
+    from vitrail.geometry.world import World
     from vitrail.plan.budget import Settings
     from vitrail.plan.plan import Plan
-    from vitrail.scene.model import Scene
 
 QUALITY = typer.Option("normal", "--quality", help="draft, normal or reference.")
 SETTINGS = typer.Option([], "--set", metavar="KEY=VALUE", help="Replace one setting; may be repeated.")
 
 
-def parse_settings(scene: Scene, plan: Plan, quality: str, assignments: list[str], **options: object) -> Settings:
+def parse_settings(world: World, plan: Plan, quality: str, assignments: list[str], **options: object) -> Settings:
     """Settings from the command line. ``options`` that are None were not given; ``--set`` wins over them."""
     from vitrail.plan.budget import QUALITIES, settings_for
 
@@ -30,6 +30,6 @@ def parse_settings(scene: Scene, plan: Plan, quality: str, assignments: list[str
             raise usage_error(f"--set {assignment}: write key=value")
         overrides[key.strip()] = value.strip()
     try:
-        return settings_for(scene, plan, quality, **overrides)
+        return settings_for(world, plan, quality, **overrides)
     except ValueError as error:
         raise usage_error(f"settings: {error}") from None

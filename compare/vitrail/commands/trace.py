@@ -45,15 +45,15 @@ def _traced(path: Path, band: int | None, wavelength_nm: float | None, arguments
     """Lower the scene with everything on, so that a ray meets what no camera ray of the scene would, and follow it."""
     from vitrail.commands.scene_file import read_scene
     from vitrail.engines.tracer import Tracer
+    from vitrail.geometry.world import World
     from vitrail.lower.tracer import lower_tracer
     from vitrail.plan.analyse import everything
     from vitrail.plan.budget import settings_for
 
-    loaded = read_scene(path)
-    plan = everything(loaded.scene)
-    folder = loaded.path.parent.resolve()
-    settings = settings_for(loaded.scene, plan, "draft")
-    lowered = lower_tracer(loaded.scene, plan, settings, folder, wavelength_nm=wavelength_nm)
+    world = World.of(read_scene(path))
+    plan = everything(world)
+    settings = settings_for(world, plan, "draft")
+    lowered = lower_tracer(world, plan, settings, wavelength_nm=wavelength_nm)
     if band is not None and band >= len(lowered["bands"]):
         raise usage_error(f"--band {band}: the scene has {len(lowered['bands'])} band(s), counted from 0")
     chosen = ["--band", str(band or 0)] if band is not None or wavelength_nm is not None else []

@@ -12,6 +12,7 @@ from pathlib import Path
 
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.engines.base import EngineFailure, Progress
+from vitrail.geometry.world import World
 from vitrail.images.exr import ImageError, ImageLayers, read_image
 from vitrail.judge.comparison import Cause, ObservationResult, Pair, Verdict
 from vitrail.judge.judgement import Residual, judge_observation
@@ -105,7 +106,8 @@ def search_whereabouts(
 
     Measured is what deviates between the engines, or ``everywhere``.
     """
-    scene, plan = loaded.scene, analyse(loaded.scene)
+    world = World.of(loaded)
+    scene, plan = world.scene, analyse(world)
     request = _like_last_look(request, record)
     wanted = {entry.name for entry in record.observations if everywhere or deviates_between_engines(entry)}
     known = read_scene_truth(references, loaded.path.stem, scene)
@@ -116,7 +118,7 @@ def search_whereabouts(
     light = patch_lights(scene, own, truth, radius_m)
     price_s = sum(engine.cpu_s or 0.0 for engine in record.engines)
     looks = []
-    for ablation in ablations(scene, plan):
+    for ablation in ablations(world, plan):
         if price_s > left_s:
             reason = f"about {price_s:.2g} CPU s each, and {max(left_s, 0):.2g} are left; --budget-s bounds it"
             looks.append(AblatedLook(ablation, {}, {}, reason=reason))
@@ -139,8 +141,9 @@ def _look(
 ) -> AblatedLook:
     """Render and measure one ablated scene; what goes wrong is said and ends nothing."""
     scene = _observing(ablation.scene, wanted)
-    plan = analyse(scene)
-    settings = settings_for(scene, plan, request.quality, **request.overrides)
+    world = World.of(loaded).with_scene(scene)
+    plan = analyse(world)
+    settings = settings_for(world, plan, request.quality, **request.overrides)
     folder = place / ablation.name.replace(" ", "_")
     try:
         lowered = lower_both(replace(loaded, scene=scene), plan, settings, request)

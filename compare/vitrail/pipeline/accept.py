@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from vitrail.engines.base import Engine, Progress, silent
+from vitrail.geometry.world import World
 from vitrail.images.exr import ImageLayers, read_image
 from vitrail.judge.comparison import Pair
 from vitrail.judge.gates import check_gates
@@ -70,9 +71,10 @@ def propose_rendering(
     progress: Progress = silent,
 ) -> Proposal:
     """Render a scene with the tracer and propose the image. Raises EngineFailure and ReferencesError."""
-    plan = analyse(loaded.scene)
-    settings = settings_for(loaded.scene, plan, quality, **overrides)
-    lowered = lower_tracer(loaded.scene, plan, settings, loaded.path.parent.resolve())
+    world = World.of(loaded)
+    plan = analyse(world)
+    settings = settings_for(world, plan, quality, **overrides)
+    lowered = lower_tracer(world, plan, settings)
     made = engine.render(lowered, work, threads=threads, progress=progress)
     record = {**made.record, "settings": asdict(settings)}
     return _proposal(loaded, folder, because, read_image(made.image_path), record, quality)

@@ -13,6 +13,7 @@ from vitrail.base.canonical_json import canonical_json
 from vitrail.engines.base import EngineFailure, Progress, Rendering
 from vitrail.engines.cache import Cache, content_key, named_files
 from vitrail.engines.engine_build import build_of
+from vitrail.geometry.world import World
 from vitrail.lower.povray import PovrayScene, lower_povray
 from vitrail.lower.povray.certificate.certificate import Certificate
 from vitrail.lower.tracer import lower_tracer
@@ -41,13 +42,13 @@ class Lowered:
 
 def lower_both(loaded: Loaded, plan: Plan, settings: Settings, request: Request) -> Lowered:
     """The tracer's form, and POV-Ray's if the request wants it. Raises NotTranslatable with the scene's lines."""
-    defect = request.defect
-    tracer = lower_tracer(defect.misread_by_tracer(loaded.scene), plan, settings, loaded.path.parent.resolve())
+    world, defect = World.of(loaded), request.defect
+    tracer = lower_tracer(world.with_scene(defect.misread_by_tracer(world.scene)), plan, settings)
     # A misread scene is still meant to be this one: both images carry its hash.
     tracer["scene_hash"] = scene_hash(loaded.scene)
     if "povray" not in request.against:
         return Lowered(defect.tracer(tracer), None)
-    povray = lower_povray(defect.misread_by_povray(loaded.scene), plan, settings, loaded)
+    povray = lower_povray(world.with_scene(defect.misread_by_povray(world.scene)), plan, settings)
     povray = replace(povray, scene_hash=scene_hash(loaded.scene))
     return Lowered(defect.tracer(tracer), defect.povray(povray))
 

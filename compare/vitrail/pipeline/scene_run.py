@@ -8,6 +8,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 
 from vitrail.engines.base import EngineFailure, Progress, Rendering
+from vitrail.geometry.world import World
 from vitrail.images.exr import ImageError, ImageLayers, read_image
 from vitrail.judge.gates import Inspected, check_gates
 from vitrail.judge.judgement import Residual
@@ -53,7 +54,7 @@ class SceneRun:
 
 def run_scene(loaded: Loaded, name: str, request: Request, progress: Progress) -> SceneRun:
     """Load, plan, lower, render, measure. What stops one scene is its status and message, and stops no other."""
-    plan = analyse(loaded.scene)
+    plan = analyse(World.of(loaded))
     folder = references_folder(loaded.path, request.references)
     stored = read_stored(folder, loaded.path.stem, scene_hash(loaded.scene)) if "stored" in request.against else None
     settings = _settings(loaded, plan, stored, request)
@@ -111,11 +112,12 @@ def _record(loaded: Loaded, name: str, plan: Plan, settings: Settings, request: 
 
 def _settings(loaded: Loaded, plan: Plan, stored: Stored | None, request: Request) -> Settings:
     """The request's settings, or the recipe of the stored image where that is to be made again."""
+    world = World.of(loaded)
     if stored is None:
-        return settings_for(loaded.scene, plan, request.quality, **request.overrides)
+        return settings_for(world, plan, request.quality, **request.overrides)
     recipe = {key: value for key, value in stored.provenance.settings.items() if key != "quality"}
     quality: Quality = stored.provenance.quality  # type: ignore[assignment]
-    return settings_for(loaded.scene, plan, quality, **{**recipe, **request.overrides})
+    return settings_for(world, plan, quality, **{**recipe, **request.overrides})
 
 
 def _images(

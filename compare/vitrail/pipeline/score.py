@@ -9,6 +9,7 @@ from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
 
+from vitrail.geometry.world import World
 from vitrail.images.exr import ImageLayers, read_image
 from vitrail.judge.comparison import Pair
 from vitrail.judge.gates import check_gates, gate_same_exposure
@@ -98,7 +99,7 @@ def _measured(
         width=scene.image.width,
         height=scene.image.height,
         exposure_stops=scene.image.exposure_stops,
-        plan=plan_records(analyse(scene)),
+        plan=plan_records(analyse(World.of_scene(scene))),
         engines=tuple(_maker(side, image) for side, image in images.items()),
         reproduce=" ".join(["vitrail score", str(loaded.path), *map(str, files.values()), *options, "--out out"]),
         exit_code=0,

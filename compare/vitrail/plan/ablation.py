@@ -17,6 +17,7 @@ from typing import Any
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.base.vector import length
 from vitrail.geometry.distance import distance_to_surface
+from vitrail.geometry.world import World
 from vitrail.optics.dispersion import reference_ior
 from vitrail.plan.occlusion import may_shadow
 from vitrail.plan.plan import Plan
@@ -43,8 +44,9 @@ class Ablation:
     darkens: bool = False
 
 
-def ablations(scene: Scene, plan: Plan) -> tuple[Ablation, ...]:
+def ablations(world: World, plan: Plan) -> tuple[Ablation, ...]:
     """Everything that can be switched off in a scene and that its plan requires, the narrowest change first."""
+    scene = world.scene
     found = [*_of_materials(scene, plan), *_of_light(scene, plan), *_of_bodies(scene, plan)]
     return tuple(each for each in found if each.scene != scene and each.scene.objects)
 

@@ -8,6 +8,7 @@ from typing import Literal, get_args
 
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.geometry.bounds import bounds_of, bounds_of_patch, extent_of
+from vitrail.geometry.world import World
 from vitrail.plan.plan import Plan
 from vitrail.plan.sampling import pixel_area_m2, samples_for
 from vitrail.scene.model import Patch, Scene
@@ -66,14 +67,14 @@ _LEVELS: dict[Quality, _Level] = {
 QUALITIES: tuple[Quality, ...] = get_args(Quality)
 
 
-def settings_for(scene: Scene, plan: Plan, quality: Quality = "normal", **overrides: object) -> Settings:
+def settings_for(world: World, plan: Plan, quality: Quality = "normal", **overrides: object) -> Settings:
     """Settings for a scene at a quality; ``overrides`` replace any field by name.
 
     A scene about its samples (``image.samples``) has them at every quality. A plan without a caustic and without
     indirect light gets no photons at all; one with an observed caustic gets the samples that resolve it. Raises
     ValueError for an unknown field or a value out of range.
     """
-    level = _LEVELS[quality]
+    scene, level = world.scene, _LEVELS[quality]
     needs_photons = plan.requires(Phenomenon.CAUSTIC) or scene.transport.indirect == "photons"
     settings = Settings(
         quality=quality,
@@ -89,20 +90,21 @@ def settings_for(scene: Scene, plan: Plan, quality: Quality = "normal", **overri
     )
     settings = override(settings, overrides)
     if settings.gather_radius_m == 0:
-        settings = replace(settings, gather_radius_m=gather_radius_m(scene, plan, settings.photons))
+        settings = replace(settings, gather_radius_m=gather_radius_m(world, plan, settings.photons))
     is_free = "samples" not in overrides and scene.image.samples is None and settings.quality != "draft"
     if is_free and plan.requires(Phenomenon.CAUSTIC):
         settings = replace(settings, samples=max(settings.samples, samples_for(scene, settings.gather_radius_m)))
     return settings
 
 
-def gather_radius_m(scene: Scene, plan: Plan, photons: int) -> float:
+def gather_radius_m(world: World, plan: Plan, photons: int) -> float:
     """The radius of the photon kernel, metres, with a short mantissa.
 
     It follows from the smallest observed caustic patch and the pixels on it, else from the smallest object that casts a
     caustic, else from the scene. The mantissa is rounded to three bits: a scene scaled by 2^k gets exactly 2^k times
     the radius, and the number prints short.
     """
+    scene = world.scene
     patches = [item.patch for item in scene.observe if item.phenomenon == Phenomenon.CAUSTIC]
     casters = {path.specular for path in plan.caustic_paths}
     sizes = [bounds_of(item).radius_m for item in scene.objects if item.name in casters]

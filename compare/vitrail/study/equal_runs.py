@@ -17,6 +17,7 @@ from scipy import stats
 
 from vitrail.base.canonical_json import canonical_json
 from vitrail.engines.base import Engine
+from vitrail.geometry.world import World
 from vitrail.images.exr import ImageLayers, read_image
 from vitrail.judge.comparison import Pair
 from vitrail.judge.false_alarms import sidak
@@ -44,7 +45,8 @@ def equal_runs(
     report: Callable[[Progress], None] = lambda progress: None,
 ) -> dict[str, Any]:
     """Render and compare ``pairs`` pairs, remembering those that are done; write and return equal_runs.json."""
-    content = canonical_json(lower_tracer(loaded.scene, analyse(loaded.scene), _settings(loaded, overrides, 0)))
+    world = World.of_scene(loaded.scene)
+    content = canonical_json(lower_tracer(world, analyse(world), _settings(loaded, overrides, 0)))
     tasks = [
         Task("pair", {"first": 2 * k + 1, "second": 2 * k + 2, "content": content, "version": engine.version()})
         for k in range(pairs)
@@ -104,10 +106,12 @@ def _pair(loaded: Loaded, engine: Engine, overrides: Mapping[str, object], seeds
 
 
 def _settings(loaded: Loaded, overrides: Mapping[str, object], seed: int) -> Settings:
-    return settings_for(loaded.scene, analyse(loaded.scene), "draft", **{**overrides, "seed": seed})
+    world = World.of(loaded)
+    return settings_for(world, analyse(world), "draft", **{**overrides, "seed": seed})
 
 
 def _rendered(loaded: Loaded, engine: Engine, settings: Settings) -> ImageLayers:
-    lowered = lower_tracer(loaded.scene, analyse(loaded.scene), settings, loaded.path.parent.resolve())
+    world = World.of(loaded)
+    lowered = lower_tracer(world, analyse(world), settings)
     with tempfile.TemporaryDirectory(prefix="vitrail-pair-") as work:
         return read_image(engine.render(lowered, Path(work), threads=1).image_path)

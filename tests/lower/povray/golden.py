@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from vitrail.geometry.world import World
 from vitrail.lower.povray import lower_povray
 from vitrail.plan.analyse import analyse
 from vitrail.plan.budget import settings_for
@@ -29,11 +30,12 @@ SCENES = {
 def emitted(name: str) -> dict[str, str]:
     """File name to text of the first run of each half, with settings of its own."""
     loaded = load(ROOT / SCENES[name])
-    plan = analyse(loaded.scene)
+    world = World.of(loaded)
+    plan = analyse(world)
     chosen: dict[str, object] = {"samples": 4, "gather_radius_m": 0.03125}
-    if settings_for(loaded.scene, plan).photons:
+    if settings_for(world, plan).photons:
         chosen["photons"] = 100_000
-    translated = lower_povray(loaded.scene, plan, settings_for(loaded.scene, plan, **chosen), loaded)
+    translated = lower_povray(world, plan, settings_for(world, plan, **chosen))
     first = {run.half: run for run in reversed(translated.runs)}
     return {f"{name}.{file}": text for run in first.values() for file, text in run.texts.items()}
 

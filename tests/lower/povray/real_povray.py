@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from vitrail.engines.povray import Povray
+from vitrail.geometry.world import World
 from vitrail.images.exr import ImageLayers, read_image
 from vitrail.lower.povray import PovrayScene, lower_povray
 from vitrail.plan.analyse import analyse
@@ -63,8 +64,9 @@ def scene(
 
 
 def lowered(loaded: Loaded, **settings: object) -> PovrayScene:
-    plan = analyse(loaded.scene)
-    return lower_povray(loaded.scene, plan, settings_for(loaded.scene, plan, **{"samples": 1, **settings}), loaded)
+    world = World.of(loaded)
+    plan = analyse(world)
+    return lower_povray(world, plan, settings_for(world, plan, **{"samples": 1, **settings}))
 
 
 def rendered(loaded: Loaded, **settings: object) -> Rendered:

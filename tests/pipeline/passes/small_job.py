@@ -8,6 +8,7 @@ from typing import Any
 from vitrail.check.check import check_file
 from vitrail.engines.base import Engine
 from vitrail.engines.tracer import Tracer
+from vitrail.geometry.world import World
 from vitrail.judge.references import SceneTruth, read_scene_truth
 from vitrail.judge.thresholds import own_references, thresholds_of
 from vitrail.lower.tracer import lower_tracer
@@ -52,8 +53,9 @@ def glowing_ball(out: Path, threads: int = 1, **settings: Any) -> Job:
 def _job(
     scene: Scene, truth: SceneTruth, out: Path, threads: int, engine: Engine | None, settings: dict[str, Any]
 ) -> Job:
-    plan = analyse(scene)
-    lowered = lower_tracer(scene, plan, settings_for(scene, plan, "normal", **settings))
+    world = World.of_scene(scene)
+    plan = analyse(world)
+    lowered = lower_tracer(world, plan, settings_for(world, plan, "normal", **settings))
     return Job(scene, lowered, out, truth, thresholds_of(own_references()), engine or Tracer(), threads)
 
 

@@ -8,6 +8,7 @@ from dataclasses import replace
 import pytest
 
 from tests.pipeline.passes.small_job import ball_lens
+from vitrail.geometry.world import World
 from vitrail.pipeline.passes.schedule import (
     blur_radius_m,
     gather_radii_m,
@@ -49,7 +50,8 @@ def test_the_first_pass_is_the_plain_rendering_and_no_other_shares_its_seed() ->
 
 def test_a_pass_has_two_samples_unless_the_scene_wants_one() -> None:
     scene = ball_lens(8)
-    draft = settings_for(scene, analyse(scene), "draft")
+    world = World.of_scene(scene)
+    draft = settings_for(world, analyse(world), "draft")
     assert draft.samples == 1
     assert pass_settings(scene, draft, samples_given=False) == replace(draft, samples=2)
     with pytest.raises(ValueError, match="ask for 2 samples or more"):

@@ -13,6 +13,7 @@ from pathlib import Path
 
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.geometry.mesh_of import with_full_paths
+from vitrail.geometry.world import World
 from vitrail.lower.povray.bodies.contact import with_contacts
 from vitrail.lower.povray.bodies.gaps import with_gaps
 from vitrail.lower.povray.bodies.meshes import bounds_of_mesh, meshes_of
@@ -38,8 +39,6 @@ from vitrail.lower.povray.text.sky import SkyPicture, skies_of
 from vitrail.plan.budget import Quality, Settings
 from vitrail.plan.plan import Plan
 from vitrail.plan.reduced import reduced
-from vitrail.scene.load import Loaded
-from vitrail.scene.model import Scene
 from vitrail.scene.print import scene_hash
 
 EMITTERS: dict[Quality, int] = {"draft": 12, "normal": 24, "reference": 96}
@@ -90,11 +89,11 @@ class PovrayScene:
     photons: PhotonPass | None
 
 
-def lower_povray(scene: Scene, plan: Plan, settings: Settings, loaded: Loaded | None = None) -> PovrayScene:
-    """The runs and the certificate. Raises NotTranslatable with the scene's lines (taken from ``loaded``)."""
-    refusals, identity = Refusals(loaded), scene_hash(scene)
-    folder = loaded.path.parent if loaded else Path()
-    scene = with_full_paths(reduced(scene, plan), folder)
+def lower_povray(world: World, plan: Plan, settings: Settings) -> PovrayScene:
+    """The runs and the certificate. Raises NotTranslatable with the lines of the scene's file."""
+    refusals, identity = Refusals(world.loaded), scene_hash(world.scene)
+    folder = world.folder or Path()
+    scene = with_full_paths(reduced(world.scene, plan), folder)
     refuse_unsupported(scene, plan, refusals)
     meshes, skies = meshes_of(scene, refusals), skies_of(scene, folder, refusals)
     radius = settings.gather_radius_m if plan.requires(Phenomenon.CAUSTIC) else 0.0

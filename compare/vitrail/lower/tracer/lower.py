@@ -11,6 +11,7 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
+from vitrail.geometry.world import World
 from vitrail.lower.tracer.lights import lowered_light
 from vitrail.lower.tracer.materials import bands_of, lowered_material
 from vitrail.lower.tracer.shapes import lowered_shape
@@ -24,18 +25,12 @@ from vitrail.scene.print import scene_hash
 Json = dict[str, Any]
 
 
-def lower_tracer(
-    scene: Scene,
-    plan: Plan,
-    settings: Settings,
-    folder: Path | None = None,
-    *,
-    wavelength_nm: float | None = None,
-) -> Json:
-    """The tracer's input. ``folder`` is where the files that the scene names are sought; without it they stay as named.
+def lower_tracer(world: World, plan: Plan, settings: Settings, *, wavelength_nm: float | None = None) -> Json:
+    """The tracer's input; files that the scene names have full paths, if the world has a folder.
 
     All lengths are metres, all directions of unit length, colours linear Rec. 709; ``canonical_json`` prints it.
     """
+    scene, folder = world.scene, world.folder
     kept, bands = reduced(scene, plan), bands_of(scene, plan, wavelength_nm)
     used = [name for name in scene.materials if any(item.material == name for item in scene.objects)]
     return {

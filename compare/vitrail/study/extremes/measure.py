@@ -11,6 +11,7 @@ from typing import Any
 from vitrail.engines.base import EngineFailure
 from vitrail.engines.povray_text import render_text
 from vitrail.engines.tracer import Tracer
+from vitrail.geometry.world import World
 from vitrail.images.exr import read_image
 from vitrail.lower.tracer import lower_tracer
 from vitrail.pipeline.task import TIMEOUT_S
@@ -65,10 +66,10 @@ def _tracer(axis: Axis, value: float) -> float:
 
 def _lowered(axis: Axis, value: float) -> dict[str, Any]:
     """The scene for the tracer with everything on, one sample a pixel."""
-    scene = load_text(axis.scene(value), f"{axis.name}.yaml").scene
-    plan = everything(scene)
-    settings = settings_for(scene, plan, "draft", samples=1, **({"photons": axis.photons} if axis.photons else {}))
-    return lower_tracer(scene, plan, settings)
+    world = World.of_scene(load_text(axis.scene(value), f"{axis.name}.yaml").scene)
+    plan = everything(world)
+    settings = settings_for(world, plan, "draft", samples=1, **({"photons": axis.photons} if axis.photons else {}))
+    return lower_tracer(world, plan, settings)
 
 
 _MEASURES: dict[AtlasEngine, Callable[[Axis, float], float]] = {"tracer": _tracer, "povray": _povray}

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from vitrail.geometry.world import World
 from vitrail.judge.records import Results, SceneResult
 from vitrail.pipeline.about_run import about_run
 from vitrail.pipeline.render import lower_both, povray_key, tracer_key
@@ -80,8 +81,9 @@ def clean_bench(folder: Path, out: Path) -> Bench:
 
 def content(loaded: Loaded, request: Request) -> tuple[str, str]:
     """What decides both images of a scene."""
-    plan = analyse(loaded.scene)
-    settings = settings_for(loaded.scene, plan, request.quality, **request.overrides)
+    world = World.of(loaded)
+    plan = analyse(world)
+    settings = settings_for(world, plan, request.quality, **request.overrides)
     lowered = lower_both(loaded, plan, settings, request)
     return tracer_key("", lowered.tracer), povray_key("", lowered.povray)
 

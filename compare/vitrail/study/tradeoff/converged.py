@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import Any
 
 from vitrail.engines.tracer import Tracer
+from vitrail.geometry.world import World
 from vitrail.images.exr import ImageLayers, read_image
 from vitrail.lower.tracer import lower_tracer
 from vitrail.pipeline.task import Task
@@ -63,20 +64,19 @@ class Converged:
             return read_image(kept)
 
     def _settings(self, which: str) -> Settings:
-        plan = analyse(self.loaded.scene)
+        world = World.of(self.loaded)
+        plan = analyse(world)
         work = {"samples": SAMPLES[self.extent], "seed": 1001 if which == "reference" else 1002}
-        usual = settings_for(self.loaded.scene, plan, "reference", **work)
+        usual = settings_for(world, plan, "reference", **work)
         if usual.photons == 0:
             return usual
         work["photons"] = PHOTONS[self.extent]
-        usual = settings_for(self.loaded.scene, plan, "reference", **work)
-        return settings_for(
-            self.loaded.scene, plan, "reference", **work, gather_radius_m=usual.gather_radius_m * RADII[which]
-        )
+        usual = settings_for(world, plan, "reference", **work)
+        return settings_for(world, plan, "reference", **work, gather_radius_m=usual.gather_radius_m * RADII[which])
 
     def _render(self, settings: Settings, kept: Path) -> None:
-        scene = self.loaded.scene
-        lowered = lower_tracer(scene, analyse(scene), settings, self.loaded.path.parent.resolve())
+        world = World.of(self.loaded)
+        lowered = lower_tracer(world, analyse(world), settings)
         self.folder.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryDirectory(dir=self.folder, prefix=".rendering-") as work:
             os.replace(Tracer().render(lowered, Path(work)).image_path, kept)

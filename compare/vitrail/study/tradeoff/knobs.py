@@ -14,6 +14,7 @@ from itertools import product
 from typing import Any, Literal, get_args
 
 from vitrail.base.phenomenon import Phenomenon
+from vitrail.geometry.world import World
 from vitrail.lower.povray.text.modes import mode_of
 from vitrail.plan.budget import settings_for
 from vitrail.plan.plan import Plan
@@ -142,7 +143,7 @@ def _different_modes(scene: Scene, plan: Plan) -> list[str]:
     found: dict[tuple[int, bool], str] = {}
     for name in ("auto", *MODES):
         # An image of the sky counts as grey here: what it is costs a file, and at most one knob more.
-        mode = mode_of(scene, plan, settings_for(scene, plan, "normal", reference_mode=name), {})
+        mode = mode_of(scene, plan, settings_for(World.of_scene(scene), plan, "normal", reference_mode=name), {})
         found.setdefault((len(mode.exposures), mode.is_sliced), name)
     return [name for name in found.values() if name != "auto"]
 

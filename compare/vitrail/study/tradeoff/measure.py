@@ -12,6 +12,7 @@ from typing import Any
 from vitrail.engines.base import Rendering
 from vitrail.engines.povray import Povray
 from vitrail.engines.tracer import Tracer
+from vitrail.geometry.world import World
 from vitrail.images.exr import ImageLayers, read_image
 from vitrail.judge.comparison import Pair
 from vitrail.judge.observe import Observed, observe
@@ -74,12 +75,13 @@ class Measure:
 
 def _rendered(spec: Mapping[str, Any], loaded: Loaded, folder: Path) -> tuple[Rendering, float]:
     """One thread, so that CPU seconds are those of the work and not of waiting."""
-    plan = analyse(loaded.scene)
-    settings = settings_for(loaded.scene, plan, "normal", **spec["settings"], seed=spec["seed"])
+    world = World.of(loaded)
+    plan = analyse(world)
+    settings = settings_for(world, plan, "normal", **spec["settings"], seed=spec["seed"])
     if spec["engine"] == "tracer":
-        lowered = lower_tracer(loaded.scene, plan, settings, loaded.path.parent.resolve())
+        lowered = lower_tracer(world, plan, settings)
         return Tracer(timeout_s=TIMEOUT_S).render(lowered, folder, threads=1), settings.gather_radius_m
-    text = lower_povray(loaded.scene, plan, settings, loaded)
+    text = lower_povray(world, plan, settings)
     return Povray(timeout_s=TIMEOUT_S).render(text, folder, threads=1), settings.gather_radius_m
 
 

@@ -20,6 +20,7 @@ from scipy import stats
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.engines.engine_build import engine_build
 from vitrail.engines.tracer import Tracer
+from vitrail.geometry.world import World
 from vitrail.images.exr import ImageLayers, read_image
 from vitrail.lower.tracer import lower_tracer
 from vitrail.pipeline.queue import Progress, Work, run_tasks
@@ -86,13 +87,14 @@ def _task(loaded: Loaded) -> Task:
 def _measure(loaded: Loaded, spec: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
     """Render every variant, and compare each with the plan's image."""
     scene = _small(loaded.scene, int(spec["pixels"]))
-    plan = analyse(scene)
+    world = World.of_scene(scene)
+    plan = analyse(world)
     settings = _settings(scene, plan, spec)
     required = [phenomenon for phenomenon in Phenomenon if plan.requires(phenomenon)]
     images: dict[Variant, ImageLayers] = {}
     costs: dict[str, list[float]] = {}
     for _ in range(int(spec["repeats"])):
-        for name, variant in ((PLANNED, plan), (EVERYTHING, everything(scene))):
+        for name, variant in ((PLANNED, plan), (EVERYTHING, everything(world))):
             images[name], seconds = _render(loaded, scene, variant, settings)
             costs.setdefault(name, []).append(seconds)
     for phenomenon in required:
@@ -113,15 +115,16 @@ def _small(scene: Scene, pixels: int) -> Scene:
 
 def _settings(scene: Scene, plan: Plan, spec: Mapping[str, Any]) -> Settings:
     """Those of the plan in every variant: only the phenomena differ."""
-    settings = settings_for(scene, plan, "draft")
+    world = World.of_scene(scene)
+    settings = settings_for(world, plan, "draft")
     fewer = {"photons": min(settings.photons, int(spec["photons"]))}
     if settings.final_gather_rays:
         fewer["final_gather_rays"] = int(spec["final_gather_rays"])
-    return settings_for(scene, plan, "draft", **fewer)
+    return settings_for(world, plan, "draft", **fewer)
 
 
 def _render(loaded: Loaded, scene: Scene, plan: Plan, settings: Settings) -> tuple[ImageLayers, float]:
-    lowered = lower_tracer(scene, plan, settings, loaded.path.parent.resolve())
+    lowered = lower_tracer(World.of(loaded).with_scene(scene), plan, settings)
     with tempfile.TemporaryDirectory(prefix="vitrail-plan-") as folder:
         rendering = Tracer(timeout_s=TIMEOUT_S).render(lowered, Path(folder), threads=1)
         return read_image(rendering.image_path), float(rendering.record["process"]["cpu_s"])

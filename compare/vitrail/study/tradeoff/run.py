@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from vitrail.engines.engine_build import engine_build
+from vitrail.geometry.world import World
 from vitrail.judge.references import read_scene_truth, references_folder
 from vitrail.pipeline.queue import Progress, run_tasks
 from vitrail.pipeline.task import Task
@@ -61,8 +62,9 @@ def measure_of(loaded: Loaded, out: Path, extent: Extent, references: Path | Non
 
 def tradeoff_tasks(loaded: Loaded, extent: Extent) -> list[Task]:
     """One task a setting and seed; the builds of the engines are part of their keys."""
-    plan = analyse(loaded.scene)
-    usual = settings_for(loaded.scene, plan, "normal", photons=USUAL_PHOTONS)
+    world = World.of(loaded)
+    plan = analyse(world)
+    usual = settings_for(world, plan, "normal", photons=USUAL_PHOTONS)
     builds = {"tracer": engine_build("tracer"), "povray": engine_build("povray")}
     return [
         Task(
