@@ -21,7 +21,7 @@ open(value_of("--record"), "w").write('{{"vitrail_run": 1, "interrupted": %s}}')
 
 
 def run(*arguments: object) -> Result:
-    return CliRunner().invoke(app, [str(argument) for argument in arguments])
+    return CliRunner().invoke(app, [str(argument) for argument in arguments], prog_name="vitrail")
 
 
 def files_in(folder: Path) -> list[str]:

@@ -7,9 +7,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 import typer
+from typer.testing import CliRunner
 
 from tests.commands.command_line import ROOT, SCENE, files_in, run
-from vitrail.commands.app import main
+from vitrail.commands.app import app, main
 from vitrail.commands.exit_code import exit_codes
 from vitrail.engines.povray_result import write_sky
 
@@ -60,21 +61,32 @@ def test_a_scene_that_is_not_there_is_a_wrong_scene(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("arguments", "words"),
+    ("arguments", "message"),
     [
-        (("--set", "photon=3"), "did you mean `photons`?"),
-        (("--set", "photons"), "write key=value"),
-        (("--set", "samples=none"), "write a whole number"),
-        (("--quality", "best"), "choose one of draft, normal, reference"),
-        (("--photons", "-1"), "the least is 0"),
-        (("--solver", "magic"), "choose one of"),
-        (("--samples", "x"), "--samples"),
+        (("--set", "photon=3"), "--set photon=3: is no setting; did you mean `photons`?"),
+        (("--set", "photons"), "--set photons: has no value; write key=value"),
+        (("--set", "samples=none"), "--set samples=none: is not a whole number; write one from 1 to 1048576"),
+        (("--set", "solver=beam"), "--set solver=beam: is not one of auto, photon_map, light_bins, beams;"),
+        (("--photons", "-1"), "--photons -1: is below 0; write a whole number from 0 to 1099511627776"),
+        (("--quality", "best"), "--quality best: is not one of draft, normal, reference; choose one of them"),
+        (
+            ("--solver", "beam"),
+            "--solver beam: is not one of auto, photon_map, light_bins, beams; did you mean `beams`?",
+        ),
+        (("--engine", "tracr"), "--engine tracr: is not one of tracer, povray; did you mean `tracer`?"),
+        (("--samples", "x"), "--samples x: is not a whole number; write one"),
+        (("--threads", "-1"), "--threads -1: is below 0; write 0 or more"),
+        (("--budget-s", "soon"), "--budget-s soon: is not a number; write one"),
+        (("--solvr", "beams"), "--solvr: there is no such option; did you mean `--solver`?"),
+        (("--seed",), "--seed: has no value; write one after it"),
+        ((str(SCENE),), "vitrail render: got unexpected extra argument"),
     ],
 )
-def test_a_wrong_setting_is_told_with_its_remedy(arguments: tuple[str, ...], words: str, tmp_path: Path) -> None:
+def test_a_wrong_option_is_told_as_it_was_typed(arguments: tuple[str, ...], message: str, tmp_path: Path) -> None:
+    """One form whoever finds it: the parser of the command line, its kinds of values, or the settings."""
     result = run("render", SCENE, "--out", tmp_path / "image.exr", *arguments)
     assert result.exit_code == 2
-    assert words in result.stderr
+    assert result.stderr.splitlines()[-1].startswith(message), result.stderr
     assert files_in(tmp_path) == []
 
 
@@ -135,10 +147,25 @@ def test_a_wrong_ray_is_told_with_its_remedy(arguments: tuple[str, ...], words: 
     assert words in result.stderr
 
 
-def test_an_unknown_verb_names_the_nearest() -> None:
-    result = run("rendr")
-    assert result.exit_code == 2
-    assert "render" in result.stderr
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (("rendr",), "rendr: there is no such verb; did you mean `render`?\n"),
+        (("--versoin",), "--versoin: there is no such option; did you mean `--version`?\n"),
+        (("render", "--out", "image.exr"), "SCENE: is missing; `vitrail render --help` says what it takes\n"),
+        (("emit", "tracr", "a", "--out", "b"), "ENGINE tracr: is not one of tracer, povray; did you mean `tracer`?\n"),
+    ],
+)
+def test_a_wrong_word_is_told_before_any_verb_runs(arguments: tuple[object, ...], message: str) -> None:
+    result = run(*arguments)
+    assert (result.exit_code, result.stderr) == (2, message)
+
+
+def test_the_help_and_the_completion_of_a_shell_know_the_choices() -> None:
+    assert "<draft|normal|reference>" in run("render", "--help").stdout
+    typed = {"_VITRAIL_COMPLETE": "complete_bash", "COMP_WORDS": "vitrail render --solver ", "COMP_CWORD": "3"}
+    completed = CliRunner().invoke(app, prog_name="vitrail", env=typed)
+    assert completed.stdout.split() == ["auto", "photon_map", "light_bins", "beams"]
 
 
 @pytest.mark.parametrize("verb", PRINTING_VERBS)

@@ -8,13 +8,13 @@ import math
 import numpy as np
 
 from vitrail.base.phenomenon import Phenomenon
+from vitrail.base.suggestion import suggestion
 from vitrail.base.vector import Vec, cross, dot, length, subtract, unit
 from vitrail.check.findings import Findings
 from vitrail.geometry.camera import Sighting, sight
 from vitrail.geometry.distance import distance_to_surface
 from vitrail.geometry.inside import contains, depth_in, is_solid
 from vitrail.geometry.room import is_room
-from vitrail.scene.diagnostic import suggestion
 from vitrail.scene.model import Image, Mesh, Object, Observation, Patch
 
 OFF_SURFACE = 1e-6

@@ -11,7 +11,8 @@ from pathlib import Path
 from typing import Any
 
 import typer
-from typer.core import TyperGroup
+from typer.core import TyperCommand, TyperGroup
+from typer.exceptions import TyperException
 
 VERBS = {
     "check": "Say what is wrong with a scene, each error with its place and remedy.",
@@ -37,12 +38,14 @@ FOLDER = Path(__file__).parent
 
 def load_verb(name: str) -> Any:
     """The command of one verb, from its file."""
-    return _command(name, getattr(import_module(f"vitrail.commands.{name}"), name))
+    from vitrail.commands.wrong_use import Verb
+
+    return _command(name, getattr(import_module(f"vitrail.commands.{name}"), name), Verb)
 
 
-def _command(name: str, function: Callable[..., Any]) -> Any:
+def _command(name: str, function: Callable[..., Any], kind: type[TyperCommand] = TyperCommand) -> Any:
     verb = typer.Typer(add_completion=False)
-    verb.command(name, help=VERBS[name])(function)
+    verb.command(name, cls=kind, help=VERBS[name])(function)
     command = typer.main.get_command(verb)
     command.name = name
     return command
@@ -82,14 +85,32 @@ class VerbGroup(TyperGroup):
         return _command(cmd_name, _nothing) if cmd_name in set(self.commands) else None
 
     def resolve_command(self, ctx: Any, args: list[str]) -> Any:
+        if args and args[0] not in set(self.commands) and not ctx.resilient_parsing:
+            raise _unknown_verb(args[0], list(self.commands))
         name, stub, rest = super().resolve_command(ctx, args)
         return name, load_verb(name) if stub is not None and name is not None else None, rest
+
+    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
+        if not args:
+            return super().parse_args(ctx, args)
+        try:
+            return super().parse_args(ctx, args)
+        except TyperException as error:
+            from vitrail.commands.wrong_use import wrong_use
+
+            raise wrong_use(error, ctx.command_path) from None
+
+
+def _unknown_verb(name: str, known: list[str]) -> typer.Exit:
+    from vitrail.base.suggestion import suggestion
+    from vitrail.commands.exit_code import usage_error
+
+    return usage_error(f"{name}: there is no such verb; {suggestion(name, known, 'verb')}")
 
 
 app = typer.Typer(
     cls=VerbGroup,
     no_args_is_help=True,
-    add_completion=False,
     pretty_exceptions_enable=False,
     help="Render one glass scene in two engines and say, phenomenon by phenomenon, where they agree.",
 )

@@ -13,6 +13,7 @@ import typer
 from vitrail.commands.comparison_options import load_all, overrides_of, reference_errors
 from vitrail.commands.exit_code import exit_codes, usage_error
 from vitrail.commands.settings_options import QUALITY, SETTINGS
+from vitrail.plan.settings import Quality
 
 if TYPE_CHECKING:
     from vitrail.pipeline.accept import Proposal
@@ -25,7 +26,7 @@ def bless(
     source: Path | None = typer.Option(
         None, "--from", help="A finished comparison, or decisions exported by its report."
     ),
-    quality: str = QUALITY,
+    quality: Quality = QUALITY,
     settings: list[str] = SETTINGS,
     references: Path | None = typer.Option(None, "--references", help="The folder that holds the stored images."),
     missing_only: bool = typer.Option(False, "--missing-only", help="Leave scenes alone that have a usable reference."),
@@ -51,7 +52,7 @@ def bless(
 def _rendered(
     loaded: list[Loaded],
     because: str,
-    quality: str,
+    quality: Quality,
     settings: list[str],
     references: Path | None,
     missing_only: bool,
@@ -80,7 +81,7 @@ def _rendered(
                 reason,
                 Path(work),
                 engine=Tracer(),
-                quality=quality,  # type: ignore[arg-type]
+                quality=quality,
                 overrides=overrides,
                 progress=show,
             )

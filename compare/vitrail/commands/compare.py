@@ -12,6 +12,7 @@ from vitrail.commands.comparison_options import defect_named, load_all, override
 from vitrail.commands.exit_code import exit_codes
 from vitrail.commands.result_formats import Format, print_in
 from vitrail.commands.settings_options import QUALITY, SETTINGS
+from vitrail.plan.settings import Quality
 
 
 class Against(StrEnum):
@@ -35,7 +36,7 @@ class Against(StrEnum):
 def compare(
     scenes: list[Path] = typer.Argument(..., metavar="SCENE...", help="Scene files, or folders of them."),
     out: Path = typer.Option(..., "--out", help="The folder for report, results and images."),
-    quality: str = QUALITY,
+    quality: Quality = QUALITY,
     settings: list[str] = SETTINGS,
     threads: int = typer.Option(0, "--threads", min=0, help="Threads of an engine; 0 takes every core."),
     jobs: int = typer.Option(1, "--jobs", min=1, help="Scenes worked on at a time."),
@@ -57,7 +58,7 @@ def compare(
         request = Request(
             out=out,
             overrides=overrides_of(loaded, quality, settings),
-            quality=quality,  # type: ignore[arg-type]
+            quality=quality,
             threads=threads,
             jobs=jobs,
             rounds=rounds,

@@ -14,6 +14,7 @@ from vitrail.commands.exit_code import usage_error
 
 if TYPE_CHECKING:
     from vitrail.pipeline.request import Defect
+    from vitrail.plan.settings import Quality
     from vitrail.scene.diagnostic import Diagnostic
     from vitrail.scene.load import Loaded
 
@@ -50,7 +51,7 @@ def scene_files(paths: Sequence[Path]) -> list[Path]:
     return list(dict.fromkeys(found))
 
 
-def overrides_of(loaded: Sequence[Loaded], quality: str, assignments: Sequence[str]) -> dict[str, object]:
+def overrides_of(loaded: Sequence[Loaded], quality: Quality, assignments: Sequence[str]) -> dict[str, object]:
     """``--set KEY=VALUE`` as a mapping, tried on every scene before anything is rendered."""
     from vitrail.commands.settings_options import parse_settings
     from vitrail.geometry.world import World

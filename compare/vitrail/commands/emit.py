@@ -12,6 +12,7 @@ from vitrail.base.whole_file import write_whole
 from vitrail.commands.exit_code import exit_codes
 from vitrail.commands.output import print_json
 from vitrail.commands.settings_options import QUALITY, SETTINGS, parse_settings
+from vitrail.plan.settings import Quality
 
 if TYPE_CHECKING:
     import numpy as np
@@ -26,7 +27,7 @@ def emit(
     engine: EngineName = typer.Argument(..., help="The engine to write for."),
     scene: Path = typer.Argument(..., metavar="SCENE", help="A scene file."),
     out: Path = typer.Option(..., "--out", help="The folder to write into."),
-    quality: str = QUALITY,
+    quality: Quality = QUALITY,
     settings: list[str] = SETTINGS,
     as_json: bool = typer.Option(False, "--json", help="Print the names of the files as JSON."),
 ) -> None:
@@ -43,7 +44,7 @@ def emit(
     print_json({"files": names}) if as_json else typer.echo("\n".join(names))
 
 
-def emitted(engine: EngineName, path: Path, quality: str, assignments: list[str]) -> dict[str, str | np.ndarray]:
+def emitted(engine: EngineName, path: Path, quality: Quality, assignments: list[str]) -> dict[str, str | np.ndarray]:
     """File name to text, or to the pixels of a sky; all made before the first is written."""
     from vitrail.base.canonical_json import canonical_json
     from vitrail.commands.scene_file import read_scene

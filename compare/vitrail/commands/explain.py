@@ -10,6 +10,7 @@ import typer
 from vitrail.commands.exit_code import exit_codes
 from vitrail.commands.output import print_json, wide_console
 from vitrail.commands.settings_options import QUALITY, SETTINGS, parse_settings
+from vitrail.plan.settings import Quality
 
 if TYPE_CHECKING:
     from vitrail.lower.povray.certificate.certificate import Certificate, Entry
@@ -17,7 +18,7 @@ if TYPE_CHECKING:
 
 def explain(
     scene: Path = typer.Argument(..., metavar="SCENE", help="A scene file."),
-    quality: str = QUALITY,
+    quality: Quality = QUALITY,
     settings: list[str] = SETTINGS,
     as_json: bool = typer.Option(False, "--json", help="Print the certificate as JSON."),
 ) -> None:

@@ -12,8 +12,8 @@ from vitrail.commands.exit_code import exit_codes
 from vitrail.commands.output import print_json, wide_console
 
 if TYPE_CHECKING:
-    from vitrail.plan.budget import Settings
     from vitrail.plan.plan import Plan
+    from vitrail.plan.settings import Settings
 
 
 def plan(
@@ -44,7 +44,7 @@ def _plain(found: Plan, settings: Settings) -> dict[str, Any]:
         "caustic_paths": [asdict(path) for path in found.caustic_paths],
         "chain": asdict(found.chain),
         "warnings": list(found.warnings),
-        "settings": asdict(settings),
+        "settings": settings.as_record(),
     }
 
 

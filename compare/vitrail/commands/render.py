@@ -22,11 +22,12 @@ from vitrail.commands.render_passes import (
     say_how_it_ended,
 )
 from vitrail.commands.settings_options import QUALITY, SETTINGS, parse_settings
+from vitrail.plan.settings import Quality, Solver
 
 if TYPE_CHECKING:
     from vitrail.engines.base import Rendering
-    from vitrail.plan.budget import Settings
     from vitrail.plan.plan import Plan
+    from vitrail.plan.settings import Settings
     from vitrail.scene.load import Loaded
 
 
@@ -34,12 +35,12 @@ def render(
     scene: Path = typer.Argument(..., metavar="SCENE", help="A scene file."),
     out: Path = typer.Option(..., "--out", metavar="FILE.exr", help="The image to write."),
     engine: EngineName = typer.Option(EngineName.TRACER, "--engine", help="The engine to render with."),
-    quality: str = QUALITY,
+    quality: Quality = QUALITY,
     samples: int | None = typer.Option(None, "--samples", help="Samples a pixel."),
     photons: int | None = typer.Option(None, "--photons", help="Photons of the whole scene."),
     seed: int | None = typer.Option(None, "--seed", help="Seed of the random numbers."),
     threads: int = typer.Option(0, "--threads", min=0, help="Threads; 0 takes every core."),
-    solver: str | None = typer.Option(None, "--solver", help="How caustics are solved."),
+    solver: Solver | None = typer.Option(None, "--solver", help="How caustics are solved."),
     settings: list[str] = SETTINGS,
     passes: int | None = PASSES,
     budget_s: float | None = BUDGET_S,

@@ -17,8 +17,8 @@ from vitrail.commands.target_error import parse_target_error
 if TYPE_CHECKING:
     from vitrail.pipeline.passes.run import Finished, Look
     from vitrail.pipeline.passes.stop import Wish
-    from vitrail.plan.budget import Settings
     from vitrail.plan.plan import Plan
+    from vitrail.plan.settings import Settings
     from vitrail.scene.load import Loaded
 
 PASSES = typer.Option(None, "--passes", min=1, help="Make so many independent passes and average them.")

@@ -49,10 +49,11 @@ def _traced(path: Path, band: int | None, wavelength_nm: float | None, arguments
     from vitrail.lower.tracer import lower_tracer
     from vitrail.plan.analyse import everything
     from vitrail.plan.budget import settings_for
+    from vitrail.plan.settings import Quality
 
     world = World.of(read_scene(path))
     plan = everything(world)
-    settings = settings_for(world, plan, "draft")
+    settings = settings_for(world, plan, Quality.DRAFT)
     lowered = lower_tracer(world, plan, settings, wavelength_nm=wavelength_nm)
     if band is not None and band >= len(lowered["bands"]):
         raise usage_error(f"--band {band}: the scene has {len(lowered['bands'])} band(s), counted from 0")

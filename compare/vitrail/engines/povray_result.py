@@ -101,7 +101,7 @@ def _settings(lowered: PovrayScene, outcomes: list[Outcome]) -> dict[str, Any]:
     photons, units = lowered.photons, lowered.normalisation
     across = lowered.runs[0].samples_across
     return {
-        **asdict(lowered.settings),
+        **lowered.settings.as_record(),
         "mode": lowered.mode.name,
         "mode_reason": lowered.mode.reason,
         "samples_used": across**2,

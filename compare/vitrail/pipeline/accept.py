@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
@@ -21,7 +21,8 @@ from vitrail.judge.stored import Provenance, Stored, read_provenance, read_store
 from vitrail.lower.tracer import lower_tracer
 from vitrail.pipeline.scene_run import inspect
 from vitrail.plan.analyse import analyse
-from vitrail.plan.budget import Quality, settings_for
+from vitrail.plan.budget import settings_for
+from vitrail.plan.settings import Quality
 from vitrail.scene.load import Loaded
 from vitrail.scene.print import scene_hash
 
@@ -76,7 +77,7 @@ def propose_rendering(
     settings = settings_for(world, plan, quality, **overrides)
     lowered = lower_tracer(world, plan, settings)
     made = engine.render(lowered, work, threads=threads, progress=progress)
-    record = {**made.record, "settings": asdict(settings)}
+    record = {**made.record, "settings": settings.as_record()}
     return _proposal(loaded, folder, because, read_image(made.image_path), record, quality)
 
 
@@ -113,7 +114,7 @@ def recipe_of(loaded: Loaded, folder: Path) -> tuple[Quality, dict[str, object],
     if recipe.scene_hash != scene_hash(loaded.scene):
         raise ReferencesError(f"{loaded.path}: has changed since its reference was accepted; bless it without --again")
     settings = {key: value for key, value in recipe.settings.items() if key != "quality"}
-    return recipe.quality, settings, recipe.because  # type: ignore[return-value]
+    return Quality(recipe.quality), settings, recipe.because
 
 
 def _proposal(

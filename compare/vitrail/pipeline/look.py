@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from pathlib import Path
 
 from vitrail.images.exr import ImageLayers
@@ -15,7 +15,7 @@ from vitrail.judge.references import read_scene_truth
 from vitrail.judge.stored import Stored
 from vitrail.judge.thresholds import thresholds_of
 from vitrail.judge.whole_image import global_metrics
-from vitrail.plan.budget import Settings
+from vitrail.plan.settings import Settings
 from vitrail.scene.model import Scene
 
 PAIRS = (Pair.TRACER_POVRAY, Pair.TRACER_TRUTH, Pair.POVRAY_TRUTH)
@@ -55,6 +55,6 @@ class Look:
         """The tracer's image and its stored one; made by one recipe they share their noise, and the halves say so."""
         assert self.stored is not None
         tracer, stored = self.images["tracer"], self.stored.image
-        if dict(self.stored.provenance.settings) == asdict(self.settings):
+        if dict(self.stored.provenance.settings) == self.settings.as_record():
             tracer, stored = paired(tracer, stored)
         return {"tracer": tracer, "stored": stored}

@@ -18,8 +18,8 @@ from vitrail.lower.povray import PovrayScene, lower_povray
 from vitrail.lower.povray.certificate.certificate import Certificate
 from vitrail.lower.tracer import lower_tracer
 from vitrail.pipeline.request import Request
-from vitrail.plan.budget import Settings
 from vitrail.plan.plan import Plan
+from vitrail.plan.settings import Settings
 from vitrail.scene.load import Loaded
 from vitrail.scene.print import scene_hash
 

@@ -11,7 +11,7 @@ from vitrail.engines.base import Engine
 from vitrail.engines.povray import Povray
 from vitrail.engines.tracer import Tracer
 from vitrail.lower.povray import PovrayScene
-from vitrail.plan.budget import Quality
+from vitrail.plan.settings import Quality
 from vitrail.scene.model import Scene
 
 BUDGET_S = 60.0
@@ -45,7 +45,7 @@ class Request:
     """
 
     out: Path
-    quality: Quality = "normal"
+    quality: Quality = Quality.NORMAL
     overrides: Mapping[str, object] = field(default_factory=dict)
     threads: int = 0
     jobs: int = 1

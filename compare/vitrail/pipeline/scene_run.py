@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import shutil
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from pathlib import Path
 
 from vitrail.engines.base import EngineFailure, Progress, Rendering
@@ -24,8 +24,9 @@ from vitrail.pipeline.look import Look
 from vitrail.pipeline.render import lower_both, render_both
 from vitrail.pipeline.request import Request
 from vitrail.plan.analyse import analyse
-from vitrail.plan.budget import Quality, Settings, settings_for
+from vitrail.plan.budget import settings_for
 from vitrail.plan.plan import Plan
+from vitrail.plan.settings import Quality, Settings
 from vitrail.scene.load import Loaded
 from vitrail.scene.print import scene_hash
 
@@ -103,7 +104,7 @@ def _record(loaded: Loaded, name: str, plan: Plan, settings: Settings, request: 
     """What is known before anything is rendered."""
     planned = {
         "plan": plan_records(plan),
-        "settings": asdict(settings),
+        "settings": settings.as_record(),
         "warnings": plan.warnings,
         "reproduce": reproduce(loaded.path, settings.quality, request),
     }
@@ -116,7 +117,7 @@ def _settings(loaded: Loaded, plan: Plan, stored: Stored | None, request: Reques
     if stored is None:
         return settings_for(world, plan, request.quality, **request.overrides)
     recipe = {key: value for key, value in stored.provenance.settings.items() if key != "quality"}
-    quality: Quality = stored.provenance.quality  # type: ignore[assignment]
+    quality = Quality(stored.provenance.quality)
     return settings_for(world, plan, quality, **{**recipe, **request.overrides})
 
 

@@ -3,19 +3,16 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, fields, replace
-from typing import Literal, get_args
+from dataclasses import dataclass
 
+from vitrail.base.changed import changed
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.geometry.bounds import bounds_of, bounds_of_patch, extent_of
 from vitrail.geometry.world import World
 from vitrail.plan.plan import Plan
 from vitrail.plan.sampling import pixel_area_m2, samples_for
+from vitrail.plan.settings import Quality, ReferenceMode, Settings, Solver, read_settings
 from vitrail.scene.model import Patch, Scene
-
-Quality = Literal["draft", "normal", "reference"]
-Solver = Literal["auto", "photon_map", "light_bins", "beams"]
-ReferenceMode = Literal["auto", "native", "channels", "slices"]
 
 PATCH_SHARE = 1 / 120
 """Gather radius over the half diagonal of an observed caustic: a disc of that size blurs the steep centre of a ball
@@ -36,22 +33,6 @@ USUAL_PHOTONS = 1_000_000
 
 
 @dataclass(frozen=True)
-class Settings:
-    """Knobs of a rendering, the same for both engines; ``samples`` are per pixel, ``photons`` per scene."""
-
-    quality: Quality
-    samples: int
-    photons: int
-    gather_radius_m: float
-    seed: int
-    rough_samples: int
-    final_gather_rays: int
-    memory_limit_mb: int
-    solver: Solver
-    reference_mode: ReferenceMode
-
-
-@dataclass(frozen=True)
 class _Level:
     samples: int
     photons: int
@@ -59,42 +40,45 @@ class _Level:
 
 
 _LEVELS: dict[Quality, _Level] = {
-    "draft": _Level(samples=1, photons=100_000, final_gather_rays=16),
-    "normal": _Level(samples=4, photons=1_000_000, final_gather_rays=64),
-    "reference": _Level(samples=64, photons=10_000_000, final_gather_rays=256),
+    Quality.DRAFT: _Level(samples=1, photons=100_000, final_gather_rays=16),
+    Quality.NORMAL: _Level(samples=4, photons=1_000_000, final_gather_rays=64),
+    Quality.REFERENCE: _Level(samples=64, photons=10_000_000, final_gather_rays=256),
 }
 
-QUALITIES: tuple[Quality, ...] = get_args(Quality)
 
-
-def settings_for(world: World, plan: Plan, quality: Quality = "normal", **overrides: object) -> Settings:
-    """Settings for a scene at a quality; ``overrides`` replace any field by name.
+def settings_for(world: World, plan: Plan, quality: Quality = Quality.NORMAL, **overrides: object) -> Settings:
+    """Settings for a scene at a quality; ``overrides`` replace any field by name, typed as text or as a number.
 
     A scene about its samples (``image.samples``) has them at every quality. A plan without a caustic and without
-    indirect light gets no photons at all; one with an observed caustic gets the samples that resolve it. Raises
-    ValueError for an unknown field or a value out of range.
+    indirect light gets no photons at all; one with an observed caustic gets the samples that resolve it. Raises Fault
+    for an unknown field or a value out of range.
     """
-    scene, level = world.scene, _LEVELS[quality]
-    needs_photons = plan.requires(Phenomenon.CAUSTIC) or scene.transport.indirect == "photons"
-    settings = Settings(
-        quality=quality,
-        samples=scene.image.samples or level.samples,
-        photons=level.photons if needs_photons else 0,
-        gather_radius_m=0.0,
-        seed=1,
-        rough_samples=scene.paper.rough_samples,
-        final_gather_rays=level.final_gather_rays if scene.transport.indirect == "photons" else 0,
-        memory_limit_mb=4096,
-        solver="photon_map",
-        reference_mode="auto",
-    )
-    settings = override(settings, overrides)
-    if settings.gather_radius_m == 0:
-        settings = replace(settings, gather_radius_m=gather_radius_m(world, plan, settings.photons))
-    is_free = "samples" not in overrides and scene.image.samples is None and settings.quality != "draft"
+    scene = world.scene
+    asked = read_settings({**_usual(scene, plan, quality), **overrides})
+    if "gather_radius_m" not in overrides:
+        asked = changed(asked, gather_radius_m=gather_radius_m(world, plan, asked.photons))
+    is_free = "samples" not in overrides and scene.image.samples is None and asked.quality is not Quality.DRAFT
     if is_free and plan.requires(Phenomenon.CAUSTIC):
-        settings = replace(settings, samples=max(settings.samples, samples_for(scene, settings.gather_radius_m)))
-    return settings
+        asked = changed(asked, samples=max(asked.samples, samples_for(scene, asked.gather_radius_m)))
+    return asked
+
+
+def _usual(scene: Scene, plan: Plan, quality: Quality) -> dict[str, object]:
+    """What holds where nobody asks for anything; the gather radius is a stand-in until the photons are known."""
+    level = _LEVELS[quality]
+    is_indirect = scene.transport.indirect == "photons"
+    return {
+        "quality": quality,
+        "samples": scene.image.samples or level.samples,
+        "photons": level.photons if is_indirect or plan.requires(Phenomenon.CAUSTIC) else 0,
+        "gather_radius_m": 1.0,
+        "seed": 1,
+        "rough_samples": scene.paper.rough_samples,
+        "final_gather_rays": level.final_gather_rays if is_indirect else 0,
+        "memory_limit_mb": 4096,
+        "solver": Solver.PHOTON_MAP,
+        "reference_mode": ReferenceMode.AUTO,
+    }
 
 
 def gather_radius_m(world: World, plan: Plan, photons: int) -> float:
@@ -126,65 +110,3 @@ def _short(value: float) -> float:
     """The nearest number with a mantissa of three bits; commutes with powers of two."""
     mantissa, exponent = math.frexp(value)
     return math.ldexp(round(mantissa * 8) / 8, exponent)
-
-
-# --- overrides ------------------------------------------------------------------------------------------------------
-
-_CHOICES: dict[str, tuple[str, ...]] = {
-    "quality": get_args(Quality),
-    "solver": get_args(Solver),
-    "reference_mode": get_args(ReferenceMode),
-}
-_LEAST: dict[str, int] = {"samples": 1, "rough_samples": 1, "memory_limit_mb": 1}
-
-
-def setting_names() -> tuple[str, ...]:
-    return tuple(item.name for item in fields(Settings))
-
-
-def override(settings: Settings, overrides: dict[str, object]) -> Settings:
-    """Settings with some fields replaced; raises ValueError that names the field, what is wrong and the remedy."""
-    return replace(settings, **{key: _checked(key, value) for key, value in overrides.items()})  # type: ignore[arg-type]
-
-
-def _checked(key: str, value: object) -> object:
-    """One value in the type of its field."""
-    if key not in setting_names():
-        raise ValueError(f"there is no setting `{key}`; {_nearest(key)}")
-    if key in _CHOICES:
-        if value not in _CHOICES[key]:
-            raise ValueError(f"`{key}` is {value!r}; choose one of {', '.join(_CHOICES[key])}")
-        return value
-    if key == "gather_radius_m":
-        return _positive_metres(key, value)
-    return _whole(key, value, _LEAST.get(key, 0))
-
-
-def _nearest(key: str) -> str:
-    from difflib import get_close_matches
-
-    close = get_close_matches(key, setting_names(), n=1)
-    return f"did you mean `{close[0]}`?" if close else f"the settings are {', '.join(setting_names())}"
-
-
-def _whole(key: str, value: object, least: int) -> int:
-    """A whole number; 1e6 is one too."""
-    try:
-        number = float(str(value))
-    except ValueError:
-        raise ValueError(f"`{key}` is {value!r}; write a whole number") from None
-    if not (math.isfinite(number) and number == int(number)):
-        raise ValueError(f"`{key}` is {value!r}; write a whole number")
-    if number < least:
-        raise ValueError(f"`{key}` is {value!r}; the least is {least}")
-    return int(number)
-
-
-def _positive_metres(key: str, value: object) -> float:
-    try:
-        number = float(str(value))
-    except ValueError:
-        raise ValueError(f"`{key}` is {value!r}; write a length in metres") from None
-    if not (math.isfinite(number) and number > 0):
-        raise ValueError(f"`{key}` is {value!r}; write a length in metres above 0")
-    return number

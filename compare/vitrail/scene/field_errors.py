@@ -6,7 +6,8 @@ from typing import Any
 
 from pydantic import BaseModel, ValidationError
 
-from vitrail.scene.diagnostic import Diagnostic, nearest, suggestion
+from vitrail.base.suggestion import nearest, suggestion
+from vitrail.scene.diagnostic import Diagnostic
 from vitrail.scene.field_types import example_at, known_keys
 from vitrail.scene.model import COLOUR_KEYS
 from vitrail.scene.yaml_tree import Path, Places

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from vitrail.scene.diagnostic import Diagnostic, suggestion
+from vitrail.base.suggestion import suggestion
+from vitrail.scene.diagnostic import Diagnostic
 from vitrail.scene.yaml_tree import Places
 
 

@@ -14,7 +14,8 @@ _NOT_FINITE = re.compile(r"[-+]?\.(inf|Inf|INF)|\.(nan|NaN|NAN)")
 _WORDS = {"true": True, "True": True, "TRUE": True, "false": False, "False": False, "FALSE": False}
 _NULLS = ("", "~", "null", "Null", "NULL")
 
-_EXACT_INTEGERS = 2**63
+_EXACT_INTEGERS = 2**64
+"""Whole numbers below this stay whole: a stored recipe holds seeds of 64 bits."""
 
 
 class TooLarge(ValueError):

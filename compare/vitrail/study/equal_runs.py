@@ -28,7 +28,8 @@ from vitrail.pipeline.queue import Progress, Work, run_tasks
 from vitrail.pipeline.task import Task
 from vitrail.pipeline.task_log import TaskLog
 from vitrail.plan.analyse import analyse
-from vitrail.plan.budget import Settings, settings_for
+from vitrail.plan.budget import settings_for
+from vitrail.plan.settings import Quality, Settings
 from vitrail.scene.load import Loaded
 
 RATES = (0.01, 0.05, 0.2)
@@ -107,7 +108,7 @@ def _pair(loaded: Loaded, engine: Engine, overrides: Mapping[str, object], seeds
 
 def _settings(loaded: Loaded, overrides: Mapping[str, object], seed: int) -> Settings:
     world = World.of(loaded)
-    return settings_for(world, analyse(world), "draft", **{**overrides, "seed": seed})
+    return settings_for(world, analyse(world), Quality.DRAFT, **{**overrides, "seed": seed})
 
 
 def _rendered(loaded: Loaded, engine: Engine, settings: Settings) -> ImageLayers:

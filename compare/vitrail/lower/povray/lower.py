@@ -36,12 +36,12 @@ from vitrail.lower.povray.text.modes import Mode, mode_of
 from vitrail.lower.povray.text.objects import ObjectText
 from vitrail.lower.povray.text.scene_text import SceneText
 from vitrail.lower.povray.text.sky import SkyPicture, skies_of
-from vitrail.plan.budget import Quality, Settings
 from vitrail.plan.plan import Plan
 from vitrail.plan.reduced import reduced
+from vitrail.plan.settings import Quality, Settings
 from vitrail.scene.print import scene_hash
 
-EMITTERS: dict[Quality, int] = {"draft": 12, "normal": 24, "reference": 96}
+EMITTERS: dict[Quality, int] = {Quality.DRAFT: 12, Quality.NORMAL: 24, Quality.REFERENCE: 96}
 """Small lights that stand for one with a surface or a solid angle, in each half image."""
 
 

@@ -15,9 +15,9 @@ from vitrail.geometry.world import World
 from vitrail.lower.tracer.lights import lowered_light
 from vitrail.lower.tracer.materials import bands_of, lowered_material
 from vitrail.lower.tracer.shapes import lowered_shape
-from vitrail.plan.budget import Settings
 from vitrail.plan.plan import Plan
 from vitrail.plan.reduced import reduced
+from vitrail.plan.settings import Settings
 from vitrail.plan.view import view_of
 from vitrail.scene.model import Ambient, Object, Scene
 from vitrail.scene.print import scene_hash

@@ -9,10 +9,10 @@ from __future__ import annotations
 
 import hashlib
 import math
-from dataclasses import replace
 from typing import Any
 
-from vitrail.plan.budget import Settings
+from vitrail.base.changed import changed
+from vitrail.plan.settings import Settings
 from vitrail.scene.model import Scene
 
 ALPHA = 2 / 3
@@ -32,7 +32,7 @@ def pass_settings(scene: Scene, settings: Settings, *, samples_given: bool) -> S
             "one sample is the centre of its pixel in every pass, and more passes would refine no edge;"
             f" ask for {LEAST_SAMPLES} samples or more"
         )
-    return replace(settings, samples=LEAST_SAMPLES)
+    return changed(settings, samples=LEAST_SAMPLES)
 
 
 def lowered_pass(lowered: dict[str, Any], number: int) -> dict[str, Any]:

@@ -17,6 +17,7 @@ from vitrail.lower.tracer import lower_tracer
 from vitrail.pipeline.task import TIMEOUT_S
 from vitrail.plan.analyse import everything
 from vitrail.plan.budget import settings_for
+from vitrail.plan.settings import Quality
 from vitrail.scene.load import load_text
 from vitrail.study.extremes.axis import AtlasEngine, Axis
 from vitrail.study.extremes.search import Reading
@@ -68,7 +69,9 @@ def _lowered(axis: Axis, value: float) -> dict[str, Any]:
     """The scene for the tracer with everything on, one sample a pixel."""
     world = World.of_scene(load_text(axis.scene(value), f"{axis.name}.yaml").scene)
     plan = everything(world)
-    settings = settings_for(world, plan, "draft", samples=1, **({"photons": axis.photons} if axis.photons else {}))
+    settings = settings_for(
+        world, plan, Quality.DRAFT, samples=1, **({"photons": axis.photons} if axis.photons else {})
+    )
     return lower_tracer(world, plan, settings)
 
 

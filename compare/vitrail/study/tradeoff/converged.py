@@ -21,7 +21,8 @@ from vitrail.images.exr import ImageLayers, read_image
 from vitrail.lower.tracer import lower_tracer
 from vitrail.pipeline.task import Task
 from vitrail.plan.analyse import analyse
-from vitrail.plan.budget import Settings, settings_for
+from vitrail.plan.budget import settings_for
+from vitrail.plan.settings import Quality, Settings
 from vitrail.scene.load import Loaded
 from vitrail.scene.print import scene_hash
 from vitrail.study.tradeoff.knobs import Extent
@@ -67,12 +68,14 @@ class Converged:
         world = World.of(self.loaded)
         plan = analyse(world)
         work = {"samples": SAMPLES[self.extent], "seed": 1001 if which == "reference" else 1002}
-        usual = settings_for(world, plan, "reference", **work)
+        usual = settings_for(world, plan, Quality.REFERENCE, **work)
         if usual.photons == 0:
             return usual
         work["photons"] = PHOTONS[self.extent]
-        usual = settings_for(world, plan, "reference", **work)
-        return settings_for(world, plan, "reference", **work, gather_radius_m=usual.gather_radius_m * RADII[which])
+        usual = settings_for(world, plan, Quality.REFERENCE, **work)
+        return settings_for(
+            world, plan, Quality.REFERENCE, **work, gather_radius_m=usual.gather_radius_m * RADII[which]
+        )
 
     def _render(self, settings: Settings, kept: Path) -> None:
         world = World.of(self.loaded)

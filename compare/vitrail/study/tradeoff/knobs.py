@@ -18,6 +18,7 @@ from vitrail.geometry.world import World
 from vitrail.lower.povray.text.modes import mode_of
 from vitrail.plan.budget import settings_for
 from vitrail.plan.plan import Plan
+from vitrail.plan.settings import Quality
 from vitrail.scene.model import Scene
 
 EngineName = Literal["tracer", "povray"]
@@ -143,7 +144,7 @@ def _different_modes(scene: Scene, plan: Plan) -> list[str]:
     found: dict[tuple[int, bool], str] = {}
     for name in ("auto", *MODES):
         # An image of the sky counts as grey here: what it is costs a file, and at most one knob more.
-        mode = mode_of(scene, plan, settings_for(World.of_scene(scene), plan, "normal", reference_mode=name), {})
+        mode = mode_of(scene, plan, settings_for(World.of_scene(scene), plan, Quality.NORMAL, reference_mode=name), {})
         found.setdefault((len(mode.exposures), mode.is_sliced), name)
     return [name for name in found.values() if name != "auto"]
 

@@ -23,6 +23,7 @@ from vitrail.lower.tracer import lower_tracer
 from vitrail.pipeline.task import TIMEOUT_S
 from vitrail.plan.analyse import analyse
 from vitrail.plan.budget import settings_for
+from vitrail.plan.settings import Quality
 from vitrail.scene.load import Loaded
 from vitrail.scene.model import Scene, Transport
 from vitrail.study.tradeoff.converged import Converged
@@ -77,7 +78,7 @@ def _rendered(spec: Mapping[str, Any], loaded: Loaded, folder: Path) -> tuple[Re
     """One thread, so that CPU seconds are those of the work and not of waiting."""
     world = World.of(loaded)
     plan = analyse(world)
-    settings = settings_for(world, plan, "normal", **spec["settings"], seed=spec["seed"])
+    settings = settings_for(world, plan, Quality.NORMAL, **spec["settings"], seed=spec["seed"])
     if spec["engine"] == "tracer":
         lowered = lower_tracer(world, plan, settings)
         return Tracer(timeout_s=TIMEOUT_S).render(lowered, folder, threads=1), settings.gather_radius_m

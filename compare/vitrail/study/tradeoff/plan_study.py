@@ -27,8 +27,9 @@ from vitrail.pipeline.queue import Progress, Work, run_tasks
 from vitrail.pipeline.task import TIMEOUT_S, Row, Task
 from vitrail.pipeline.task_log import TaskLog, read_rows
 from vitrail.plan.analyse import analyse, everything
-from vitrail.plan.budget import Settings, settings_for
+from vitrail.plan.budget import settings_for
 from vitrail.plan.plan import Plan
+from vitrail.plan.settings import Quality, Settings
 from vitrail.scene.load import Loaded
 from vitrail.scene.model import Scene
 from vitrail.scene.print import scene_hash
@@ -116,11 +117,11 @@ def _small(scene: Scene, pixels: int) -> Scene:
 def _settings(scene: Scene, plan: Plan, spec: Mapping[str, Any]) -> Settings:
     """Those of the plan in every variant: only the phenomena differ."""
     world = World.of_scene(scene)
-    settings = settings_for(world, plan, "draft")
+    settings = settings_for(world, plan, Quality.DRAFT)
     fewer = {"photons": min(settings.photons, int(spec["photons"]))}
     if settings.final_gather_rays:
         fewer["final_gather_rays"] = int(spec["final_gather_rays"])
-    return settings_for(world, plan, "draft", **fewer)
+    return settings_for(world, plan, Quality.DRAFT, **fewer)
 
 
 def _render(loaded: Loaded, scene: Scene, plan: Plan, settings: Settings) -> tuple[ImageLayers, float]:

@@ -13,7 +13,7 @@ from vitrail.engines.engine_build import engine_build
 from vitrail.pipeline.queue import Progress, run_tasks
 from vitrail.pipeline.task import Row, Task
 from vitrail.pipeline.task_log import TaskLog
-from vitrail.plan.budget import setting_names
+from vitrail.plan.settings import setting_names
 from vitrail.scene.load import Loaded
 from vitrail.scene.print import scene_hash
 from vitrail.study.tradeoff.knobs import ENGINES, EngineName, label_of

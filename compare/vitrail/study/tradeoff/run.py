@@ -16,6 +16,7 @@ from vitrail.pipeline.task import Task
 from vitrail.pipeline.task_log import TaskLog, read_rows
 from vitrail.plan.analyse import analyse
 from vitrail.plan.budget import USUAL_PHOTONS, settings_for
+from vitrail.plan.settings import Quality
 from vitrail.scene.load import Loaded
 from vitrail.scene.print import scene_hash
 from vitrail.study.tradeoff.analysis import analyse_rows
@@ -64,7 +65,7 @@ def tradeoff_tasks(loaded: Loaded, extent: Extent) -> list[Task]:
     """One task a setting and seed; the builds of the engines are part of their keys."""
     world = World.of(loaded)
     plan = analyse(world)
-    usual = settings_for(world, plan, "normal", photons=USUAL_PHOTONS)
+    usual = settings_for(world, plan, Quality.NORMAL, photons=USUAL_PHOTONS)
     builds = {"tracer": engine_build("tracer"), "povray": engine_build("povray")}
     return [
         Task(

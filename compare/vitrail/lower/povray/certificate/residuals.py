@@ -22,8 +22,8 @@ from vitrail.lower.povray.text.indices import Indices
 from vitrail.lower.povray.text.lights import Source
 from vitrail.lower.povray.text.modes import Mode
 from vitrail.lower.povray.text.sky import Skies
-from vitrail.plan.budget import Quality
 from vitrail.plan.plan import Plan
+from vitrail.plan.settings import Quality
 from vitrail.scene.absorption import absorption_per_m
 from vitrail.scene.model import Scene
 

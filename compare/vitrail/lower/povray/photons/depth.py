@@ -9,12 +9,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from vitrail.plan.budget import Quality
 from vitrail.plan.plan import Plan
+from vitrail.plan.settings import Quality
 
 LIMIT = 256
 """POV-Ray caps max_trace_level here without a word [P 4.3]."""
-ADC_BAILOUT: dict[Quality, float] = {"draft": 1e-3, "normal": 1e-4, "reference": 1e-6}
+ADC_BAILOUT: dict[Quality, float] = {Quality.DRAFT: 1e-3, Quality.NORMAL: 1e-4, Quality.REFERENCE: 1e-6}
 """Path weight below which POV-Ray gives up; its default of 1/255 turns glass black [P 4.3].
 
 Measured on a glass of wine against 1e-6: 1e-3 loses 7e-5 of the picture's light, 1e-4 loses 2e-5 in a ninth of the

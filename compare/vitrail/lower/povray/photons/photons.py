@@ -24,8 +24,8 @@ from vitrail.lower.povray.bodies.normalise import Normalisation
 from vitrail.lower.povray.refusals.refusal import NotTranslatable, Refusals
 from vitrail.lower.povray.text.lights import Source
 from vitrail.lower.povray.text.sdl import block, number
-from vitrail.plan.budget import Settings
 from vitrail.plan.plan import Plan
+from vitrail.plan.settings import Settings
 from vitrail.scene.model import Material, Scene
 
 FLUX_LIMIT = 16.0

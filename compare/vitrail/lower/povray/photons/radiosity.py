@@ -16,11 +16,11 @@ from vitrail.lower.povray.bodies.immersion import index_around
 from vitrail.lower.povray.certificate.certificate import RELATIVE, Entry
 from vitrail.lower.povray.refusals.refusal import Refusals
 from vitrail.lower.povray.text.sdl import block, number
-from vitrail.plan.budget import Quality
+from vitrail.plan.settings import Quality
 from vitrail.scene.diagnostic import Diagnostic
 from vitrail.scene.model import Scene
 
-RAYS: dict[Quality, int] = {"draft": 100, "normal": 200, "reference": 800}
+RAYS: dict[Quality, int] = {Quality.DRAFT: 100, Quality.NORMAL: 200, Quality.REFERENCE: 800}
 """Rays a gathering point; the second half image has a few more, and so other ones."""
 EXTRA_RAYS = {"a": 0, "b": 11}
 ERROR_BOUND = 0.3

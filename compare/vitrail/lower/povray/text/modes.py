@@ -9,8 +9,8 @@ from vitrail.base.phenomenon import Phenomenon
 from vitrail.lower.povray.text.exposure import Exposure, Triplet
 from vitrail.lower.povray.text.sky import Skies, Sky
 from vitrail.optics.bands import ALL_LIGHT, Band, band_model
-from vitrail.plan.budget import Settings
 from vitrail.plan.plan import Plan
+from vitrail.plan.settings import Settings
 from vitrail.scene.model import Light, Scene
 
 ALL = (Exposure(),)

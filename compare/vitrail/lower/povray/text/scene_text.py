@@ -17,8 +17,8 @@ from vitrail.lower.povray.text.lights import Source, light_sdl
 from vitrail.lower.povray.text.objects import ObjectText
 from vitrail.lower.povray.text.sdl import block, number, rgb
 from vitrail.lower.povray.text.sky import Skies, SkyPicture
-from vitrail.plan.budget import Quality
 from vitrail.plan.plan import Plan
+from vitrail.plan.settings import Quality
 from vitrail.scene.model import Ambient, Scene
 
 
