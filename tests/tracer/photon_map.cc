@@ -108,16 +108,6 @@ TEST(PhotonMap, ScalesExactlyByPowersOfTwo) {
 }
 
 /// The kernel for 16 floats at a time and the one for 8 give the same bits.
-TEST(PhotonMap, DoesNotDependOnTheInstructionSet) {
-  const Vec3 normal = normalise(Vec3{0.2, 1, 0.1});
-  const Blocks blocks = photons_on_square({}, {0, 0, 0}, normal, 1.0, 20000);
-  const PhotonMap widest({}, blocks, 0.1), eight({}, blocks, 0.1, GatherWidth::eight);
-  for (double t = -0.9; t < 0.9; t += 0.05) {
-    const GatherQuery query{surface_frame(normal).u * t, normal};
-    EXPECT_GT(widest.irradiance(query).r, 0);
-    EXPECT_EQ(widest.irradiance(query), eight.irradiance(query));
-  }
-}
 
 TEST(PhotonMap, IsEmptyWithoutPhotons) {
   EXPECT_EQ(PhotonMap({}, Blocks(3), 0.1).irradiance({{0, 0, 0}, {0, 1, 0}}), (Rgb{0, 0, 0}));

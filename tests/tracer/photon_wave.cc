@@ -1,59 +1,13 @@
-/// The quick ways against the plain ones: many photons at once against one by one, vector formulas against optics.
+/// Many photons at once against one by one.
 
 #include "photon/wave/photon_wave.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "build_scene.h"
-#include "optics/fresnel.h"
-#include "optics/refract.h"
 
 namespace vitrail {
 namespace {
-
-TEST(DielectricLanes, AgreeWithOpticsRayByRay) {
-  TestNumbers numbers;
-  auto lanes = std::make_unique<DielectricLanes>();
-  lanes->count = DielectricLanes::kCapacity;
-  std::vector<IndexPair> index(lanes->count);
-  std::vector<Vec3> direction(lanes->count), normal(lanes->count);
-  for (std::size_t i = 0; i < lanes->count; ++i) {
-    normal[i] = numbers.direction();
-    direction[i] = numbers.direction();
-    if (dot(normal[i], direction[i]) > 0) normal[i] = -normal[i];
-    // Every eighth pair is matched, every eighth nearly so, the others between 1/3 and 3.
-    const double n1 = numbers.between(1, 3), n2 = i % 8 == 0 ? n1 : i % 8 == 1 ? n1 + 1e-12 : numbers.between(1, 3);
-    index[i] = {n1, n2, n1 - 1, n2 - 1};
-    for (int a = 0; a < 3; ++a) {
-      lanes->direction[a][i] = direction[i][a];
-      lanes->normal[a][i] = normal[i][a];
-    }
-    lanes->ior_from[i] = n1;
-    lanes->ior_to[i] = n2;
-    lanes->ior_step[i] = index[i].step();
-  }
-  refract(*lanes);
-  find_fresnel_shares(*lanes);
-  reflect(*lanes);
-  int total = 0;
-  for (std::size_t i = 0; i < lanes->count; ++i) {
-    // The same operations in another order of division: a few units in the last place of a unit vector.
-    const Refraction expected = refract(direction[i], normal[i], index[i]);
-    const Vec3 mirrored{lanes->mirrored[0][i], lanes->mirrored[1][i], lanes->mirrored[2][i]};
-    EXPECT_LT(length(mirrored - reflect(direction[i], normal[i])), 1e-15);
-    EXPECT_EQ(lanes->radicand[i] < 0, expected.total);
-    total += expected.total;
-    if (expected.total) continue;
-    const Vec3 refracted{lanes->refracted[0][i], lanes->refracted[1][i], lanes->refracted[2][i]};
-    EXPECT_LT(length(refracted - expected.direction), 1e-15);
-    const FresnelShares shares = fresnel(index[i], expected);
-    EXPECT_NEAR(lanes->share_R[i], shares.R, 4e-16 * shares.R);
-    EXPECT_NEAR(lanes->share_T[i], shares.T, 4e-16 * shares.T);
-  }
-  EXPECT_GT(total, 10);
-}
 
 void expect_the_same_light(const Scene& scene) {
   const Intersector intersector(scene);

@@ -13,11 +13,13 @@ struct PhotonRun {
   std::uint32_t begin, end;
 };
 
-/// The sorted arrays, readable for 16 elements past the last photon.
+/// The sorted arrays, readable for `kPadding` elements past the last photon.
 struct PhotonColumns {
+  static constexpr std::size_t kPadding = 16;
+
   std::array<const float*, 3> position;
   std::array<const float*, 3> flux;
-  const std::uint32_t* normal;
+  const std::uint32_t* normal;  // three signed bytes, the lowest first
 };
 
 /// A disc of radius R on a tangent plane, in the floats of the photon frame and the axes of the columns.
@@ -32,13 +34,7 @@ struct GatherDisc {
 };
 
 /// Sum of the flux of every photon of the runs inside the disc, per channel, W. Photon i of a run always goes to lane
-/// i mod 16 and lanes are added in one fixed order, so every instruction set gives the same bits.
-using GatherKernel = Rgb (*)(const PhotonColumns& columns, const PhotonRun* runs, int run_count,
-                             const GatherDisc& disc);
-
-/// The kernel for the widest registers this machine has, or the one for 8 floats that every machine of the baseline
-/// has.
-enum class GatherWidth { widest, eight };
-GatherKernel gather_kernel(GatherWidth width = GatherWidth::widest);
+/// i mod 16, and the lanes are added in one fixed order, so every instruction set gives the same bits.
+Rgb flux_in_disc(const PhotonColumns& columns, const PhotonRun* runs, int run_count, const GatherDisc& disc);
 
 }  // namespace vitrail

@@ -7,8 +7,8 @@
 namespace vitrail {
 namespace {
 
-constexpr std::uint32_t kPadding = 16;  // one vector of the kernel
-constexpr int kRadixBits = 8;           // photons are first sorted into 2^8 partitions
+constexpr std::size_t kPadding = PhotonColumns::kPadding;
+constexpr int kRadixBits = 8;  // photons are first sorted into 2^8 partitions
 
 // Photons at most R/4 off the tangent plane lie at most sqrt(1 + 1/16) R = 1.0308 R away; 33/32 R covers that with
 // room for rounding. Cells are that wide across rows, and half of it along them, so that runs fit the disc closely.
@@ -40,13 +40,11 @@ bool rows_stay_apart(std::uint32_t a, std::uint32_t b, std::uint32_t mask) {
 
 }  // namespace
 
-PhotonMap::PhotonMap(const PhotonFrame& frame, std::vector<std::vector<PhotonRecord>> blocks, double radius_m,
-                     GatherWidth width)
+PhotonMap::PhotonMap(const PhotonFrame& frame, std::vector<std::vector<PhotonRecord>> blocks, double radius_m)
     : frame_(frame),
       radius_m_(radius_m),
       rows_per_m_(1 / (radius_m * kReachPerRadius)),
-      cells_per_m_(kCellsPerReach * rows_per_m_),
-      kernel_(gather_kernel(width)) {
+      cells_per_m_(kCellsPerReach * rows_per_m_) {
   for (const auto& block : blocks) size_ += block.size();
   if (size_ == 0) return;
   choose_lattice(blocks);
@@ -237,7 +235,7 @@ Rgb PhotonMap::irradiance(const GatherQuery& query) const {
   const PhotonColumns columns{{position_[0].data(), position_[1].data(), position_[2].data()},
                               {flux_[0].data(), flux_[1].data(), flux_[2].data()},
                               normal_.data()};
-  return kernel_(columns, runs, run_count, disc) * (1 / (M_PI * radius_m_ * radius_m_));
+  return flux_in_disc(columns, runs, run_count, disc) * (1 / (M_PI * radius_m_ * radius_m_));
 }
 
 std::size_t PhotonMap::predicted_bytes(std::size_t count) {

@@ -49,8 +49,7 @@ struct GatherQuery {
 class PhotonMap {
  public:
   /// Take the photons of all blocks, in block order, and sort them into cells for discs of radius `radius_m`.
-  PhotonMap(const PhotonFrame& frame, std::vector<std::vector<PhotonRecord>> blocks, double radius_m,
-            GatherWidth width = GatherWidth::widest);
+  PhotonMap(const PhotonFrame& frame, std::vector<std::vector<PhotonRecord>> blocks, double radius_m);
 
   /// Irradiance per channel, W/m2: the flux inside the disc of radius R on the tangent plane over pi R^2. Photons
   /// farther than R/4 from the tangent plane, or on a surface turned more than about 75 degrees away, are left out. The
@@ -88,7 +87,6 @@ class PhotonMap {
   double radius_m_;
   double rows_per_m_;   // across rows
   double cells_per_m_;  // along rows, finer
-  GatherKernel kernel_;
   std::size_t size_ = 0;
   std::array<int, 3> axis_ = {0, 1, 2};  // the longest extent first: runs of cells lie along it
   std::uint32_t mask_ = 0, stride_j_ = 0, stride_k_ = 0;

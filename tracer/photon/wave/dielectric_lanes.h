@@ -1,6 +1,6 @@
 #pragma once
-/// Mirror and refract many rays at once: the formulas of optics/refract and optics/fresnel in loops without branches,
-/// so that the compiler makes vector instructions of them. A test compares the two, ray by ray.
+/// Mirror and refract many rays at once: the formulas of optics/refract and optics/fresnel as vector instructions. A
+/// test compares the two, ray by ray.
 
 #include <array>
 

@@ -115,7 +115,7 @@ class PathStates {
 struct RayChunk {
   static constexpr int kCapacity = 256;
 
-  // The rays.
+  // The rays. Loops read whole vectors: the columns are readable up to the next multiple of eight elements.
   int count = 0;
   std::array<const double*, 3> origin, direction;
   const std::int64_t* departed = nullptr;  // HitId::lane

@@ -1,20 +1,14 @@
 #pragma once
-/// The nearest hits of many rays at once in a small scene: each object is asked for all rays in one loop that
-/// the compiler turns into vector instructions. Plain doubles, no exact sums: where two surfaces lie too close together
-/// to tell which is first, it says so and leaves the ray to the general search.
+/// The nearest hits of many rays at once in a small scene: each object is asked for all rays in one loop of vector
+/// instructions, in place of a walk through a tree for each ray. Plain doubles, no exact sums: where two surfaces lie
+/// too close together to tell which is first, it says so and leaves the ray to the general search.
 
 #include <vector>
 
 #include "geometry/primitive.h"
-#include "photon/wave/path_states.h"
+#include "photon/wave/intersect_lanes.h"
 
 namespace vitrail {
-
-/// Places on a surface, with the outward unit normals there.
-struct SurfaceLanes {
-  static constexpr int kCapacity = RayChunk::kCapacity;
-  alignas(64) std::array<std::array<double, kCapacity>, 3> point, normal;
-};
 
 class SmallSceneIntersector {
  public:
