@@ -117,7 +117,8 @@ def test_every_formula_tag_is_explained() -> None:
 def test_every_link_between_pages_leads_somewhere() -> None:
     broken = []
     for path in project_files():
-        if path.suffix != ".md":
+        # A template links from where its page will stand; the page itself is checked there.
+        if path.suffix != ".md" or "templates" in path.parts:
             continue
         text = (ROOT / path).read_text(encoding="utf-8")
         for target in re.findall(r"\]\(([^)#\s]+)(?:#[^)]*)?\)", text):

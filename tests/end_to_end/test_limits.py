@@ -26,9 +26,9 @@ def out(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def test_a_defect_deviates_half_of_it_never_agrees_and_none_of_it_does(limit, out: Path) -> None:
     against = () if limit.name in DEAR else ("povray",)
     found = measure_limits(CALIBRATION, out, limits=[limit], against=against)
-    sides = Counter(side for row in found["rows"] for side in row["against"])
+    sides = Counter(side for row in found.rows for side in row.against)
     assert sides == {side: 3 for side in (*against, "truth")}, "a side without a number has seen nothing"
-    assert found["kept"], [row for row in found["rows"] if not is_kept(row)]
+    assert found.kept, [row for row in found.rows if not is_kept(row)]
     # Half of a defect lies beyond what is allowed, so that no quieter picture can make it agree.
-    halves = [entry for row in found["rows"] if row["share"] == 0.5 for entry in row["against"].values()]
-    assert all(abs(entry["difference"]) > entry["tolerance"] for entry in halves)
+    halves = [entry for row in found.rows if row.share == 0.5 for entry in row.against.values()]
+    assert all(abs(entry.difference) > entry.tolerance for entry in halves)

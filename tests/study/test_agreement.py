@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
-from typing import Any
 
 import pytest
 
 from tests.report.synthetic import write_run
+from vitrail.base.record import read_record
 from vitrail.judge.comparison import Interval, TolerancePart, Verdict
 from vitrail.judge.records import Results
-from vitrail.report.agreement_page import BEGIN, END, agreement_lines, write_agreement_page
-from vitrail.study.agreement import agreement
+from vitrail.report.agreement_page import BEGIN, END, agreement_tables, write_agreement_page
+from vitrail.study.agreement import Agreement, agreement
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -49,26 +48,26 @@ def with_parts(results: Results, *parts: tuple[str, float, Verdict]) -> Results:
 
 def test_a_number_gives_the_row_of_its_worst_part(results: Results) -> None:
     made = with_parts(results, ("red", 0.01, Verdict.AGREES), ("blue", -0.04, Verdict.AGREES))
-    (row,) = agreement([made])["rows"]
-    assert (row["metric"], row["part"], row["difference"]) == ("shift", "blue", -0.04)
+    (row,) = agreement([made]).rows
+    assert (row.metric, row.part, row.difference) == ("shift", "blue", -0.04)
     made = with_parts(results, ("red", 0.01, Verdict.DEVIATES), ("blue", -0.04, Verdict.AGREES))
-    assert agreement([made])["rows"][0]["part"] == "red"
+    assert agreement([made]).rows[0].part == "red"
 
 
 @pytest.mark.parametrize(("difference", "beyond"), [(0.01, 0.0), (0.0205, 0.0), (0.04, 0.019), (-0.04, 0.019)])
 def test_beyond_is_what_the_certificate_surely_does_not_explain(
     results: Results, difference: float, beyond: float
 ) -> None:
-    (row,) = agreement([with_parts(results, ("red", difference, Verdict.AGREES))])["rows"]
-    assert row["certificate"] == 0.02
-    assert row["beyond"] == pytest.approx(beyond, abs=1e-12)
+    (row,) = agreement([with_parts(results, ("red", difference, Verdict.AGREES))]).rows
+    assert row.certificate == 0.02
+    assert row.beyond == pytest.approx(beyond, abs=1e-12)
 
 
 def test_the_last_run_of_a_scene_counts(results: Results) -> None:
     first = with_parts(results, ("red", 0.01, Verdict.AGREES))
     second = with_parts(results, ("red", 0.02, Verdict.AGREES))
-    (row,) = agreement([first, second])["rows"]
-    assert row["difference"] == 0.02
+    (row,) = agreement([first, second]).rows
+    assert row.difference == 0.02
 
 
 def test_only_the_tables_of_a_page_are_written(results: Results, tmp_path: Path) -> None:
@@ -79,33 +78,32 @@ def test_only_the_tables_of_a_page_are_written(results: Results, tmp_path: Path)
     write_agreement_page(page, found)
     text = page.read_text()
     assert text.startswith("# Mine\n\nBefore.\n") and text.endswith(f"{END}\n\nAfter.\n") and "old" not in text
-    assert "\n".join(agreement_lines(found)) in text
+    assert agreement_tables(found) in text
 
 
 # --- what is published ----------------------------------------------------------------------------------------------
 
 
 @pytest.fixture(scope="module")
-def published() -> dict[str, Any]:
-    loaded: dict[str, Any] = json.loads((ROOT / "docs" / "agreement.json").read_text())
-    return loaded
+def published() -> Agreement:
+    return read_record(Agreement, ROOT / "docs" / "agreement.json")
 
 
-def test_the_page_says_what_its_file_says(published: dict[str, Any]) -> None:
+def test_the_page_says_what_its_file_says(published: Agreement) -> None:
     text = (ROOT / "docs" / "agreement.md").read_text()
-    assert "\n".join(agreement_lines(published)) in text
+    assert agreement_tables(published) in text
 
 
-def test_every_scene_is_in_the_table_and_was_judged(published: dict[str, Any]) -> None:
+def test_every_scene_is_in_the_table_and_was_judged(published: Agreement) -> None:
     shipped = {path.stem for path in (ROOT / "scenes").glob("*/*.yaml")}
-    assert {scene["name"] for scene in published["scenes"]} == shipped
-    assert all(scene["status"] == "judged" for scene in published["scenes"])
-    assert {row["scene"] for row in published["rows"]} == shipped
+    assert {scene.name for scene in published.scenes} == shipped
+    assert all(scene.status == "judged" for scene in published.scenes)
+    assert {row.scene for row in published.rows} == shipped
 
 
-def test_what_lies_beyond_the_certificate_is_explained_by_name(published: dict[str, Any]) -> None:
+def test_what_lies_beyond_the_certificate_is_explained_by_name(published: Agreement) -> None:
     """Findings are few and have a cause that a person wrote down above the tables."""
     text = (ROOT / "docs" / "agreement.md").read_text().partition(BEGIN)[0]
-    for row in published["rows"]:
-        if row["beyond"] > 0 or row["verdict"] == "deviates":
-            assert f"`{row['scene']}`" in text, f"{row['scene']}.{row['observation']}: {row['metric']} has no cause"
+    for row in published.rows:
+        if row.beyond > 0 or row.verdict == "deviates":
+            assert f"`{row.scene}`" in text, f"{row.scene}.{row.observation}: {row.metric} has no cause"

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -10,29 +9,30 @@ import numpy as np
 import pytest
 
 from tests.pipeline.doubles import CARD, FormulaEngine
+from vitrail.base.record import read_record
 from vitrail.engines.base import Rendering
 from vitrail.images.exr import write_image
 from vitrail.scene.load import load
-from vitrail.study.equal_runs import alarm_table, equal_runs
+from vitrail.study.equal_runs import EqualRuns, PairNumber, alarm_table, equal_runs
 
 
-def suites(narrow: float, count: int = 400, numbers: int = 10) -> list[list[dict[str, float]]]:
+def suites(narrow: float, count: int = 400, numbers: int = 10) -> list[list[PairNumber]]:
     """Normal differences of size 1 whose stated standard error is ``narrow``."""
     draws = np.random.default_rng(3).standard_normal((count, numbers))
     return [
-        [{"difference": float(x), "standard_error": narrow, "degrees_of_freedom": 1e9} for x in suite]
+        [PairNumber(difference=float(x), standard_error=narrow, degrees_of_freedom=1e9) for x in suite]
         for suite in draws
     ]
 
 
 def test_right_intervals_keep_their_rate() -> None:
-    table = {row["rate"]: row for row in alarm_table(suites(narrow=1.0))}
-    assert all(row["p_value"] > 0.01 for row in table.values())
-    assert table[0.2]["alarms"] == pytest.approx(0.2 * 400, abs=3 * (0.2 * 0.8 * 400) ** 0.5)
+    table = {row.rate: row for row in alarm_table(suites(narrow=1.0))}
+    assert all(row.p_value > 0.01 for row in table.values())
+    assert table[0.2].alarms == pytest.approx(0.2 * 400, abs=3 * (0.2 * 0.8 * 400) ** 0.5)
 
 
 def test_intervals_a_fifth_too_narrow_are_found_out() -> None:
-    assert {row["rate"]: row for row in alarm_table(suites(narrow=0.8))}[0.2]["p_value"] < 1e-6
+    assert {row.rate: row for row in alarm_table(suites(narrow=0.8))}[0.2].p_value < 1e-6
 
 
 @dataclass
@@ -53,9 +53,9 @@ def test_pairs_are_measured_once_and_remembered(tmp_path: Path) -> None:
     loaded = load(tmp_path / "card.yaml")
     out = tmp_path / "out"
     found = equal_runs(loaded, out, NoisyEngine("tracer"), pairs=30, overrides={})
-    assert found["failures"] == [] and [row["suites"] for row in found["rates"]] == [30, 30, 30]
-    assert all(row["p_value"] > 0.001 for row in found["rates"])
-    assert json.loads((out / "equal_runs.json").read_text()) == found
+    assert found.failures == () and [row.suites for row in found.rates] == [30, 30, 30]
+    assert all(row.p_value > 0.001 for row in found.rates)
+    assert read_record(EqualRuns, out / "equal_runs.json") == found
     broken = NoisyEngine("tracer")
     broken.render = None  # type: ignore[assignment,method-assign]
     assert equal_runs(loaded, out, broken, pairs=30, overrides={}) == found, "finished pairs are not rendered again"

@@ -2,96 +2,73 @@
 
 from __future__ import annotations
 
-import json
-from pathlib import Path
-from typing import Any
-
 import pytest
 
+from tests.study.published import ROOT, STUDIES, TRADEOFFS, published, words
 from vitrail.pipeline.task_log import read_rows
-from vitrail.report.atlas_page import finding, reason_lines, table_lines
+from vitrail.report.atlas_page import finding
 from vitrail.study.extremes.atlas import AXES
 from vitrail.study.tradeoff.analysis import analyse_rows
 from vitrail.study.tradeoff.plan_study import analyse_plans
 
-ROOT = Path(__file__).resolve().parents[2]
-STUDIES = ROOT / "docs" / "studies"
-TRADEOFFS = ("ball_lens", "prism_screen", "tinted_pane_seen", "slab_clear")
-
-
-def _stored(name: str) -> Any:
-    return json.loads((STUDIES / name).read_text())
-
-
-def _words(path: Path) -> str:
-    return " ".join(path.read_text().split())
-
 
 @pytest.mark.parametrize("name", TRADEOFFS)
 def test_the_stored_analysis_is_that_of_the_stored_samples(name: str) -> None:
-    stored = _stored(f"{name}/tradeoff.json")
-    again = json.loads(json.dumps(analyse_rows(read_rows(STUDIES / name))))
-    assert stored["phenomena"] == again["phenomena"]
-    assert stored["failures"] == []
+    stored = published(f"{name}/tradeoff.json")
+    assert stored == analyse_rows(read_rows(STUDIES / name), stored.scene, stored.title)
+    assert stored.failures == ()
 
 
 def test_the_readme_quotes_the_price_of_a_caustic() -> None:
-    sentence = _stored("ball_lens/tradeoff.json")["phenomena"]["caustic"]["sentence"]
-    assert sentence in _words(ROOT / "README.md")
+    assert published("ball_lens/tradeoff.json").phenomena["caustic"].sentence in words(ROOT / "README.md")
 
 
 @pytest.mark.parametrize("name", TRADEOFFS)
-def test_the_page_of_studies_quotes_every_sentence_and_shows_every_front(name: str) -> None:
-    page = _words(STUDIES / "README.md")
-    for phenomenon, entry in _stored(f"{name}/tradeoff.json")["phenomena"].items():
-        assert entry["sentence"] in page
-        assert (STUDIES / name / f"{phenomenon}.svg").is_file()
+def test_the_page_of_studies_quotes_every_sentence_and_links_every_study(name: str) -> None:
+    page = words(STUDIES / "README.md")
+    for entry in published(f"{name}/tradeoff.json").phenomena.values():
+        assert entry.sentence in page
     assert f"({name}/" in page
 
 
 def test_every_setting_has_its_memory_and_its_runs() -> None:
-    for record in _stored("ball_lens/tradeoff.json")["phenomena"]["caustic"]["engines"].values():
-        for setting in record["settings"]:
+    for front in published("ball_lens/tradeoff.json").phenomena["caustic"].engines.values():
+        for setting in front.settings:
             # A process that renders 128 x 128 pixels from at most 3e6 photons of 48 bytes: megabytes, no gigabyte.
-            assert 1e6 < setting["peak_memory_bytes"] < 1e9
-            assert setting["runs"] == 3
+            assert 1e6 < setting.peak_memory_bytes < 1e9
+            assert setting.runs == 3
 
 
 def test_the_plan_changes_nothing_and_is_never_slower() -> None:
-    stored = _stored("plans/plans.json")
-    assert stored == json.loads(json.dumps(analyse_plans(read_rows(STUDIES / "plans"))))
+    stored = published("plans/plans.json")
+    assert stored == analyse_plans(read_rows(STUDIES / "plans"))
     shipped = {path.stem for path in (ROOT / "scenes").glob("*/*.yaml")}
     # Every scene there was when the study was published; a new scene need not wait for it.
-    assert len(stored["scenes"]) >= 45 and {scene["name"] for scene in stored["scenes"]} <= shipped
-    for scene in stored["scenes"]:
-        assert scene["failure"] is None, scene["name"]
-        whole = scene["differences"]["everything"]
+    assert len(stored.scenes) >= 45 and {scene.name for scene in stored.scenes} <= shipped
+    for scene in stored.scenes:
+        assert scene.failure is None, scene.name
+        whole = scene.differences["everything"]
         # Noise alone is 1 in these units; its own scatter over thousands of pixels is a few per cent.
-        noisy = whole["sigmas"] is not None and whole["sigmas"] < 1.2 and whole["outside_noise"] < 1e-6
-        assert whole["same_bits"] or noisy, scene["name"]
-        assert not scene["slower"], scene["name"]
-    summary = stored["summary"]
-    words = (
-        f"All {summary['scenes']} scenes" if summary["same_bits"] == summary["scenes"] else f"{summary['same_bits']} of"
-    )
-    assert words in _words(STUDIES / "README.md")
+        noisy = whole.sigmas is not None and whole.sigmas < 1.2 and whole.outside_noise < 1e-6
+        assert whole.same_bits or noisy, scene.name
+        assert not scene.slower, scene.name
+    summary = stored.summary
+    said = f"All {summary.scenes} scenes" if summary.same_bits == summary.scenes else f"{summary.same_bits} of"
+    assert said in words(STUDIES / "README.md")
 
 
-def test_the_page_of_the_atlas_is_its_result_file() -> None:
-    atlas = _stored("atlas/atlas.json")
-    lines = (STUDIES / "atlas" / "README.md").read_text().splitlines()
-    for line in [*table_lines(atlas), *reason_lines(atlas), finding(atlas)]:
-        assert line in lines
-    assert [axis["name"] for axis in atlas["axes"]] == [axis.name for axis in AXES]
-    assert finding(atlas) in _words(STUDIES / "README.md")
+def test_the_atlas_has_every_axis_and_its_finding_is_quoted() -> None:
+    atlas = published("atlas/atlas.json")
+    assert [axis.name for axis in atlas.axes] == [axis.name for axis in AXES]
+    assert finding(atlas) in words(STUDIES / "README.md")
 
 
 def test_every_tracer_limit_of_the_atlas_has_its_reason_and_every_failure_its_scenes() -> None:
-    for axis in _stored("atlas/atlas.json")["axes"]:
-        for engine, found in axis["engines"].items():
-            assert found["failure"] is None
-            if found["first_failing"] is None:
+    for axis in published("atlas/atlas.json").axes:
+        for engine, found in axis.engines.items():
+            assert found.failure is None
+            if found.first_failing is None:
                 continue
-            assert engine == "povray" or found["limit"], axis["name"]
+            assert engine == "povray" or found.limit, axis.name
             for kind in ("yaml", "pov"):
-                assert (STUDIES / "atlas" / "scenes" / f"{axis['name']}-{engine}.{kind}").is_file()
+                assert (STUDIES / "atlas" / "scenes" / f"{axis.name}-{engine}.{kind}").is_file()

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from vitrail.study.statistics import (
-    Interval,
+    Estimate,
     Setting,
     convergence_order,
     cost_of_error,
@@ -19,7 +19,8 @@ from vitrail.study.statistics import (
 
 
 def _setting(label: str, cost: float, error: float) -> Setting:
-    return Setting(label, Interval(cost, cost, cost), Interval(error, error, error), 0.0, error)
+    price, size = (Estimate(value=value, low=value, high=value) for value in (cost, error))
+    return Setting(label=label, cost_s=price, error=size, bias=0.0, standard_deviation=error)
 
 
 def test_front_keeps_what_nothing_beats() -> None:

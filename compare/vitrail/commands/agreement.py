@@ -18,10 +18,10 @@ def agreement(
     with exit_codes():
         from pydantic import ValidationError
 
+        from vitrail.base.record import write_record
         from vitrail.judge.records import read_results
         from vitrail.report.agreement_page import count_line, write_agreement_page
         from vitrail.study.agreement import agreement as agreement_of
-        from vitrail.study.agreement import write_agreement
 
         try:
             found = agreement_of([read_results(folder / "results.json") for folder in folders])
@@ -29,6 +29,6 @@ def agreement(
             raise usage_error(f"{error.filename}: is not there; run `vitrail compare ... --out DIR` first") from None
         except ValidationError as error:
             raise usage_error(f"{error.errors()[0]['msg']}; compare the scenes again") from None
-        write_agreement(found, out)
+        write_record(found, out)
         write_agreement_page(page, found)
     typer.echo(count_line(found))

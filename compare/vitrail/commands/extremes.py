@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import typer
 
 from vitrail.commands.exit_code import exit_codes, usage_error
 from vitrail.commands.output import print_json
+
+if TYPE_CHECKING:
+    from vitrail.study.extremes.records import EngineRange
 
 
 def extremes(
@@ -18,7 +22,7 @@ def extremes(
 ) -> None:
     with exit_codes():
         from vitrail.commands.study_options import study_progress
-        from vitrail.report.atlas_page import write_atlas_page
+        from vitrail.report.atlas_page import write_atlas_page, write_atlas_text
         from vitrail.study.extremes.atlas import AXES, run_atlas
 
         names = [known.name for known in AXES]
@@ -29,21 +33,22 @@ def extremes(
         with study_progress("extremes") as report:
             atlas = run_atlas(out, jobs=jobs, axes=chosen, report=report)
         page = write_atlas_page(out, atlas)
+        write_atlas_text(out, atlas)
     if as_json:
-        print_json(atlas)
+        print_json(atlas.model_dump(mode="json"))
         return
-    for record in atlas["axes"]:
-        typer.echo(f"{record['name']}: {record['quantity']} ({record['unit']})")
-        for engine, found in record["engines"].items():
+    for record in atlas.axes:
+        typer.echo(f"{record.name}: {record.quantity} ({record.unit})")
+        for engine, found in record.engines.items():
             typer.echo(f"  {engine:8} {_words(found)}")
     typer.echo(f"the atlas is {page}")
 
 
-def _words(found: dict) -> str:
+def _words(found: EngineRange) -> str:
     """One engine's range in a sentence."""
-    if found.get("failure"):
-        return f"not measured: {found['failure']}"
-    if found["first_failing"] is None:
-        return f"holds to {found['last_holding']:.3g}, the last value tried"
-    why = f" ({found['limit']})" if found["limit"] else ""
-    return f"fails from {found['first_failing']:.3g}{why}"
+    if found.failure:
+        return f"not measured: {found.failure}"
+    if found.first_failing is None:
+        return f"holds to {found.last_holding:.3g}, the last value tried"
+    why = f" ({found.limit})" if found.limit else ""
+    return f"fails from {found.first_failing:.3g}{why}"

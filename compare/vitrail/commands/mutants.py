@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import typer
 
 from vitrail.commands.exit_code import DEVIATES, exit_codes, usage_error
 from vitrail.commands.output import print_json
+
+if TYPE_CHECKING:
+    from vitrail.study.mutants.records import MutantEntry, Mutants
 
 
 def mutants(
@@ -48,26 +52,26 @@ def mutants(
         if publish is not None:
             page = _publish(scenes / "calibration", out, publish, found)
     if as_json:
-        print_json(found)
+        print_json(found.model_dump(mode="json"))
     else:
-        for entry in found["mutants"]:
+        for entry in found.mutants:
             typer.echo(_words(entry))
-        total = len(found["mutants"])
-        typer.echo(f"{found['caught']} of {total} caught, {found['named']} named right; the page is {page}")
-    raise typer.Exit(0 if found["caught"] == len(found["mutants"]) else DEVIATES)
+        total = len(found.mutants)
+        typer.echo(f"{found.caught} of {total} caught, {found.named} named right; the page is {page}")
+    raise typer.Exit(0 if found.caught == len(found.mutants) else DEVIATES)
 
 
-def _publish(bench: Path, out: Path, target: Path, found: dict) -> Path:
+def _publish(bench: Path, out: Path, target: Path, found: Mutants) -> Path:
     """The page and its data, with the limits and the false alarms beside the matrix."""
     from vitrail.engines.tracer import Tracer
     from vitrail.report.mutants_text import write_mutants_text
     from vitrail.scene.load import load
     from vitrail.study.equal_runs import equal_runs
-    from vitrail.study.mutants.limits import limits_table, measure_limits
+    from vitrail.study.mutants.limits import measure_limits
 
     limits = measure_limits(bench, out)
     equal = equal_runs(load(bench / "ball_lens.yaml"), out / "equal", Tracer(), overrides={})
-    return write_mutants_text(target, found, limits, limits_table(limits), equal)
+    return write_mutants_text(target, found, limits, equal)
 
 
 def _equal_runs(scene: Path, out: Path, pairs: int, as_json: bool) -> None:
@@ -81,32 +85,33 @@ def _equal_runs(scene: Path, out: Path, pairs: int, as_json: bool) -> None:
         with study_progress("equal runs") as report:
             found = equal_runs(read_scene(scene), out / "equal", Tracer(), pairs=pairs, overrides={}, report=report)
     if as_json:
-        print_json(found)
-    for row in [] if as_json else found["rates"]:
+        print_json(found.model_dump(mode="json"))
+    for row in [] if as_json else found.rates:
         typer.echo(
-            f"at a rate of {100 * row['rate']:g} %: {row['alarms']} of {row['suites']} suites raise a false alarm"
-            f" (chance of as many: {row['p_value']:.2g})"
+            f"at a rate of {100 * row.rate:g} %: {row.alarms} of {row.suites} suites raise a false alarm"
+            f" (chance of as many: {row.p_value:.2g})"
         )
-    if found["failures"] or any(row["p_value"] < 0.01 for row in found["rates"]):
+    if found.failures or any(row.p_value < 0.01 for row in found.rates):
         raise typer.Exit(DEVIATES)
 
 
 def _limits(bench: Path, out: Path, as_json: bool) -> None:
     """Judge the smallest defects that must be seen; exit code 1 when one is not, or when half of one passes."""
     with exit_codes():
-        from vitrail.study.mutants.limits import limits_table, measure_limits
+        from vitrail.report.mutants_text import limits_table
+        from vitrail.study.mutants.limits import measure_limits
 
         found = measure_limits(bench, out)
     if as_json:
-        print_json(found)
+        print_json(found.model_dump(mode="json"))
     else:
         typer.echo(limits_table(found), nl=False)
-    raise typer.Exit(0 if found["kept"] else DEVIATES)
+    raise typer.Exit(0 if found.kept else DEVIATES)
 
 
-def _words(entry: dict) -> str:
+def _words(entry: MutantEntry) -> str:
     """One mutant in a line."""
-    if entry["failure"]:
-        return f"{entry['name']}: {entry['failure']}"
-    seen = entry["reported"] or "nothing"
-    return f"{entry['name']} ({entry['injected']}, {entry['injected_engine']}): reported {seen}, {entry['engine']}"
+    if entry.failure:
+        return f"{entry.name}: {entry.failure}"
+    seen = entry.reported or "nothing"
+    return f"{entry.name} ({entry.injected}, {entry.injected_engine}): reported {seen}, {entry.engine}"

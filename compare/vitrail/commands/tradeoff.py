@@ -2,18 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from enum import StrEnum
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import typer
 
+from vitrail.base.phenomenon import Phenomenon
 from vitrail.commands.exit_code import exit_codes, usage_error
 from vitrail.commands.output import print_json
 from vitrail.commands.target_error import parse_target_error
 
 if TYPE_CHECKING:
     from vitrail.study.tradeoff.knobs import Extent
+    from vitrail.study.tradeoff.plan_records import PlannedScene, Plans
+    from vitrail.study.tradeoff.predict import Aim
+    from vitrail.study.tradeoff.records import Tradeoff
 
 
 class ExtentName(StrEnum):
@@ -36,18 +41,19 @@ def tradeoff(
 ) -> None:
     with exit_codes():
         if plan:
-            found, page = _plans(scenes, out, jobs, analyse_only)
-            lines = [_plan_line(scene) for scene in found["scenes"]]
+            plans, page = _plans(scenes, out, jobs, analyse_only)
+            record, lines = plans.model_dump(mode="json"), [_plan_line(scene) for scene in plans.scenes]
         elif len(scenes) == 1:
             found, page = _prices(scenes[0], out, extent.value, jobs, references, analyse_only)
-            lines = _sentences(found)
+            record, lines = found.model_dump(mode="json"), _sentences(found)
             if target_error or budget_s is not None:
                 lines += _predictions(scenes[0], out, extent.value, references, found, target_error, budget_s)
         else:
-            found, page = _all_prices(scenes, out, extent.value, jobs, references, analyse_only)
-            lines = [f"{name}: {line}" for name, study in found.items() for line in _sentences(study)]
+            studies, page = _all_prices(scenes, out, extent.value, jobs, references, analyse_only)
+            record = {name: study.model_dump(mode="json") for name, study in studies.items()}
+            lines = [f"{name}: {line}" for name, study in studies.items() for line in _sentences(study)]
     if as_json:
-        print_json(found)
+        print_json(record)
         return
     for line in [*lines, f"the page is {page}"]:
         typer.echo(line)
@@ -55,7 +61,7 @@ def tradeoff(
 
 def _prices(
     scene: Path, out: Path, extent: Extent, jobs: int, references: Path | None, analyse_only: bool
-) -> tuple[dict, Path]:
+) -> tuple[Tradeoff, Path]:
     """Errors and costs over the matrix of knobs."""
     from vitrail.commands.scene_file import read_scene
     from vitrail.commands.study_options import study_progress
@@ -81,7 +87,7 @@ def _predictions(
     out: Path,
     extent: Extent,
     references: Path | None,
-    found: dict,
+    found: Tradeoff,
     target_error: list[str],
     budget_s: float | None,
 ) -> list[str]:
@@ -92,30 +98,30 @@ def _predictions(
     from vitrail.study.tradeoff.predict import Aim, predict, prediction_line
     from vitrail.study.tradeoff.run import measure_of
 
-    aims = [_aim(text, found) for text in target_error]
+    aims = [_aim(text, found.phenomena) for text in target_error]
     if budget_s is not None:
-        aims += [Aim(phenomenon, budget_s=budget_s) for phenomenon in found["phenomena"]]
+        aims += [Aim(phenomenon, budget_s=budget_s) for phenomenon in found.phenomena]
     loaded = read_scene(scene)
     measure, _ = measure_of(loaded, out, extent, references)
     with study_progress("predictions") as report:
         predictions = predict(loaded, out, found, measure, aims, report)
-    write_tradeoff_page(out, found, predictions)
-    return [prediction_line(each) for each in predictions]
+    write_tradeoff_page(out, found, predictions.root)
+    return [prediction_line(each) for each in predictions.root]
 
 
-def _aim(text: str, found: dict) -> Any:
+def _aim(text: str, measured: Iterable[Phenomenon]) -> Aim:
     """``caustic=0.01`` as an aim."""
     from vitrail.study.tradeoff.predict import Aim
 
-    phenomenon, metric, wanted = parse_target_error(text, found["phenomena"], "the study measured", "name one of them")
+    phenomenon, metric, wanted = parse_target_error(text, measured, "the study measured", "name one of them")
     if metric:
         raise usage_error(f"--target-error {text}: a study predicts whole phenomena; write {phenomenon}={wanted:g}")
-    return Aim(phenomenon, error=wanted)
+    return Aim(Phenomenon(phenomenon), error=wanted)
 
 
 def _all_prices(
     scenes: list[Path], out: Path, extent: Extent, jobs: int, references: Path | None, analyse_only: bool
-) -> tuple[dict, Path]:
+) -> tuple[dict[str, Tradeoff], Path]:
     """One study a scene, each in a folder of its name, and a page over all of them."""
     from vitrail.report.tradeoff_page import write_prices_page
 
@@ -129,11 +135,11 @@ def _all_prices(
     return found, write_prices_page(out, found)
 
 
-def _sentences(found: dict) -> list[str]:
-    return [entry["sentence"] for entry in found["phenomena"].values()]
+def _sentences(found: Tradeoff) -> list[str]:
+    return [entry.sentence for entry in found.phenomena.values()]
 
 
-def _plans(scenes: list[Path], out: Path, jobs: int, analyse_only: bool) -> tuple[dict, Path]:
+def _plans(scenes: list[Path], out: Path, jobs: int, analyse_only: bool) -> tuple[Plans, Path]:
     """Everything on, the plan, and the plan less one phenomenon at a time."""
     from vitrail.commands.scene_file import read_scene
     from vitrail.commands.study_options import study_progress
@@ -156,10 +162,10 @@ def _not_run(missing: FileNotFoundError) -> Exception:
     return usage_error(f"{missing.filename}: no such file; run the study first, without --analyse-only")
 
 
-def _plan_line(scene: dict) -> str:
+def _plan_line(scene: PlannedScene) -> str:
     """One scene of the table in a sentence."""
-    if scene["failure"]:
-        return f"{scene['name']}: {scene['failure']}"
-    whole, seconds = scene["differences"]["everything"], scene["cpu_s"]
-    same = "the same bits" if whole["same_bits"] else f"{whole['relative_l1']:.2g} apart"
-    return f"{scene['name']}: {seconds['plan']:.2f} s instead of {seconds['everything']:.2f} s, {same}"
+    if scene.failure:
+        return f"{scene.name}: {scene.failure}"
+    whole, seconds = scene.differences["everything"], scene.cpu_s
+    same = "the same bits" if whole.same_bits else f"{whole.relative_l1:.2g} apart"
+    return f"{scene.name}: {seconds['plan']:.2f} s instead of {seconds['everything']:.2f} s, {same}"

@@ -9,12 +9,12 @@ import time
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from dataclasses import dataclass
-from typing import Any
 
+from vitrail.base.record import JsonObject
 from vitrail.pipeline.task import Row, Task
 from vitrail.pipeline.task_log import TaskLog
 
-Work = Callable[[Mapping[str, Any]], tuple[Mapping[str, Any], Mapping[str, Any]]]
+Work = Callable[[JsonObject], tuple[JsonObject, JsonObject]]
 """Takes a task's spec, returns (result, cost); raises with a message for a person if it cannot."""
 
 

@@ -9,9 +9,10 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
+
+from vitrail.base.record import JsonObject
 
 TIMEOUT_S = 900.0
 """Wall time that one rendering of a study may take; one that takes longer is a row that says so."""
@@ -22,7 +23,7 @@ class Task:
     """``kind`` names the code that runs it, ``spec`` is everything that code needs, as plain JSON values."""
 
     kind: str
-    spec: Mapping[str, Any]
+    spec: JsonObject
 
     @property
     def key(self) -> str:
@@ -36,10 +37,10 @@ class Row:
 
     key: str
     kind: str
-    spec: Mapping[str, Any]
-    result: Mapping[str, Any] | None = None
+    spec: JsonObject
+    result: JsonObject | None = None
     failure: str | None = None
-    cost: Mapping[str, Any] = field(default_factory=dict)
+    cost: JsonObject = field(default_factory=dict)
 
     def result_line(self) -> str:
         """The reproducible part as one JSON line."""

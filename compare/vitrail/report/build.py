@@ -8,12 +8,11 @@ import shutil
 from pathlib import Path
 from typing import Any
 
-import jinja2
-
 from vitrail.images.exr import read_image
 from vitrail.images.false_colour import COLD, HEAT, HOT, NEUTRAL
 from vitrail.judge.records import SceneResult, read_results
-from vitrail.report import figures, page, paper_figures
+from vitrail.report import page, paper_figures
+from vitrail.report.environment import pages
 from vitrail.report.tiles import write_tiles
 
 HERE = Path(__file__).parent
@@ -42,19 +41,22 @@ def build_report(folder: Path) -> Path:
     """
     results = read_results(folder / "results.json")
     shutil.copytree(HERE / "static", folder / "report", dirs_exist_ok=True)
-    environment = _environment()
     ordered = page.worst_first(results.scenes)
     plates = paper_figures.plates_of(results)
-    index = environment.get_template("index.html").render(
-        results=results, scenes=ordered, phenomena=page.run_phenomena(results), has_figures=bool(plates), root=""
+    index = (
+        pages()
+        .get_template("index.html")
+        .render(
+            results=results, scenes=ordered, phenomena=page.run_phenomena(results), has_figures=bool(plates), root=""
+        )
     )
     (folder / "index.html").write_text(index, encoding="utf-8")
     # A folder that is used again must not keep the page of an older run.
     (folder / "figures.html").unlink(missing_ok=True)
     if plates:
-        text = environment.get_template("figures.html").render(results=results, plates=plates, root="")
+        text = pages().get_template("figures.html").render(results=results, plates=plates, root="")
         (folder / "figures.html").write_text(text, encoding="utf-8")
-    template = environment.get_template("scene.html")
+    template = pages().get_template("scene.html")
     for place, scene in enumerate(ordered):
         (folder / scene.name).mkdir(exist_ok=True)
         text = template.render(
@@ -101,36 +103,3 @@ def _viewer(folder: Path, scene: SceneResult) -> dict[str, Any] | None:
     ]
     names = list(dict.fromkeys(layer for layer, _, _ in layers))
     return {"data": data, "views": views, "layers": names, "sides": sides, "scripts": scripts}
-
-
-def _environment() -> jinja2.Environment:
-    """Templates that refuse unknown names, with the page's ways to write a number."""
-    environment = jinja2.Environment(
-        loader=jinja2.FileSystemLoader(HERE / "templates"),
-        autoescape=True,
-        undefined=jinja2.StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-    )
-    environment.filters |= {
-        "words": page.words,
-        "side": page.side_name,
-        "key": page.verdict_key,
-        "row": page.row,
-        "quantity": page.quantity,
-        "percent": page.percent,
-        "confidence": page.confidence,
-        "factor": page.factor,
-        "phenomena": page.scene_phenomena,
-        "by_pair": page.by_pair,
-        "headline": page.headline,
-        "agreement": paper_figures.agreement,
-        "flat": page.flat,
-        "setting": page.setting,
-        "cpu": page.cpu,
-        "lower_first": page.lower_first,
-        "bar": figures.interval_bar,
-        "plot": figures.profile_plot,
-    }
-    environment.globals |= {"glyphs": page.GLYPHS, "status_words": page.STATUS_WORDS}
-    return environment

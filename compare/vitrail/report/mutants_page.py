@@ -3,29 +3,12 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
 
-from vitrail.base.phenomenon import Phenomenon
-from vitrail.report.study_page import environment, write_study_page
+from vitrail.report.environment import chart
+from vitrail.report.study_page import write_study_page
+from vitrail.study.mutants.records import Mutants
 
 
-def write_mutants_page(out: Path, found: dict[str, Any]) -> Path:
+def write_mutants_page(out: Path, found: Mutants) -> Path:
     """Write ``index.html`` into ``out``; returns the page. Numbers come from ``found`` (mutants.json) alone."""
-    template = environment().get_template("mutants.html")
-    return write_study_page(out, template.render(found=found, **_matrix(found["mutants"])))
-
-
-def _matrix(entries: list[dict[str, Any]]) -> dict[str, Any]:
-    """Counts by (injected, reported); phenomena without a mutant have no row."""
-    injected = [p.value for p in Phenomenon if any(entry["injected"] == p.value for entry in entries)]
-    reported = [p.value for p in Phenomenon if any(entry["reported"] == p.value for entry in entries)]
-    counts = {
-        row: {column: sum(e["injected"] == row and e["reported"] == column for e in entries) for column in reported}
-        for row in injected
-    }
-    missed = {row: sum(e["injected"] == row and e["reported"] is None for e in entries) for row in injected}
-    alone = {
-        metric: sum(1 for entry in entries if entry["alone"].get(metric, {}).get("caught"))
-        for metric in ("ssim", "flip", "relmse")
-    }
-    return {"rows": injected, "columns": reported, "counts": counts, "missed": missed, "alone": alone}
+    return write_study_page(out, chart("mutants.html", found=found))

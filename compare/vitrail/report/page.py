@@ -17,6 +17,9 @@ PREFIXES = ((1e-9, "n"), (1e-6, "µ"), (1e-3, "m"), (1.0, ""), (1e3, "k"))
 RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 """Digits of a unit are exponents."""
 
+ENGINE_NAMES = {"tracer": "Tracer", "povray": "POV-Ray"}
+"""Engines as people write them, the tracer first."""
+
 STATUS_WORDS = {
     Status.JUDGED: "judged",
     Status.GATE_FAILED: "a gate failed",
@@ -43,6 +46,14 @@ def number(value: float | None, digits: int = 4) -> str:
     if "." in text:
         text = text.rstrip("0").rstrip(".")
     return text.replace("-", "−").replace(",", "\u2009")
+
+
+def short(value: float) -> str:
+    """Two digits, a true minus sign, no exponent for what people read easily."""
+    if abs(value) < 1e-9:
+        return "0"
+    text = f"{value:.2g}" if 1e-4 <= abs(value) < 1e4 else f"{value:.1e}"
+    return text.replace("-", "−", 1) if value < 0 else text
 
 
 def quantity(value: float | None, unit: str, digits: int = 4) -> str:

@@ -7,15 +7,15 @@ one in at most a share p of the pairs.
 
 from __future__ import annotations
 
-import json
 import tempfile
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
-from typing import Any
+from typing import Literal
 
 from scipy import stats
 
 from vitrail.base.canonical_json import canonical_json
+from vitrail.base.record import Record, write_record
 from vitrail.engines.base import Engine
 from vitrail.geometry.world import World
 from vitrail.images.exr import ImageLayers, read_image
@@ -36,6 +36,47 @@ RATES = (0.01, 0.05, 0.2)
 """The suite's own rate, and two at which a few hundred pairs can show whether the intervals are too narrow."""
 
 
+class PairNumber(Record):
+    """One number between two renderings, with its noise."""
+
+    metric: str = ""
+    difference: float
+    standard_error: float
+    degrees_of_freedom: float
+
+
+class PairNumbers(Record):
+    """The result of one task: every number of one pair that has any noise."""
+
+    numbers: tuple[PairNumber, ...]
+
+
+class AlarmRate(Record):
+    """How many suites raise a false alarm at a stated rate.
+
+    ``p_value``: the chance of so many or more alarms if the rate held exactly; below 0.01 the intervals are too narrow.
+    """
+
+    rate: float
+    suites: int
+    alarms: int
+    p_value: float
+
+
+class EqualRuns(Record):
+    """``equal_runs.json``; ``failures`` are the words of pairs that could not be rendered."""
+
+    vitrail_equal_runs: Literal[1] = 1
+    scene: str
+    failures: tuple[str, ...]
+    rates: tuple[AlarmRate, ...]
+
+    @property
+    def pairs(self) -> int:
+        """How many pairs were rendered."""
+        return max(row.suites for row in self.rates)
+
+
 def equal_runs(
     loaded: Loaded,
     out: Path,
@@ -44,7 +85,7 @@ def equal_runs(
     pairs: int = 200,
     overrides: Mapping[str, object],
     report: Callable[[Progress], None] = lambda progress: None,
-) -> dict[str, Any]:
+) -> EqualRuns:
     """Render and compare ``pairs`` pairs, remembering those that are done; write and return equal_runs.json."""
     world = World.of_scene(loaded.scene)
     content = canonical_json(lower_tracer(world, analyse(world), _settings(loaded, overrides, 0)))
@@ -53,57 +94,57 @@ def equal_runs(
         for k in range(pairs)
     ]
     work: dict[str, Work] = {
-        "pair": lambda spec: (_pair(loaded, engine, overrides, (spec["first"], spec["second"])), {})
+        "pair": lambda spec: (_pair(loaded, engine, overrides, (spec["first"], spec["second"])).model_dump(), {})
     }
     rows = run_tasks(tasks, TaskLog(out), work, report=report)
-    failures = [row.failure for row in rows if row.failure]
-    suites = [row.result["numbers"] for row in rows if row.result is not None]
-    found = {"vitrail_equal_runs": 1, "scene": loaded.path.stem, "failures": failures, "rates": alarm_table(suites)}
-    (out / "equal_runs.json").write_text(json.dumps(found, indent=1, sort_keys=True) + "\n")
+    suites = [PairNumbers.model_validate(row.result).numbers for row in rows if row.result is not None]
+    found = EqualRuns(
+        scene=loaded.path.stem,
+        failures=tuple(row.failure for row in rows if row.failure),
+        rates=tuple(alarm_table(suites)),
+    )
+    write_record(found, out / "equal_runs.json")
     return found
 
 
-def alarm_table(suites: Sequence[Sequence[Mapping[str, float]]]) -> list[dict[str, float]]:
-    """For each rate: how many suites raise a false alarm, and whether that is more than the rate allows.
-
-    ``p_value``: the chance of so many or more alarms if the rate held exactly; below 0.01 the intervals are too narrow.
-    """
+def alarm_table(suites: Sequence[Sequence[PairNumber]]) -> list[AlarmRate]:
+    """For each rate: how many suites raise a false alarm, and whether that is more than the rate allows."""
     table = []
     for rate in RATES:
         alarms = sum(_alarms(suite, rate) for suite in suites)
         p_value = float(stats.binom.sf(alarms - 1, len(suites), rate)) if suites else 1.0
-        table.append({"rate": rate, "suites": len(suites), "alarms": alarms, "p_value": p_value})
+        table.append(AlarmRate(rate=rate, suites=len(suites), alarms=alarms, p_value=p_value))
     return table
 
 
-def _alarms(suite: Sequence[Mapping[str, float]], rate: float) -> bool:
+def _alarms(suite: Sequence[PairNumber], rate: float) -> bool:
     """Whether any interval of the suite leaves out the ideal."""
     level = sidak(rate, len(suite)).level
     for number in suite:
-        reach = float(stats.t.isf((1 - level) / 2, number["degrees_of_freedom"])) * number["standard_error"]
-        if abs(number["difference"]) > reach:
+        reach = float(stats.t.isf((1 - level) / 2, number.degrees_of_freedom)) * number.standard_error
+        if abs(number.difference) > reach:
             return True
     return False
 
 
-def _pair(loaded: Loaded, engine: Engine, overrides: Mapping[str, object], seeds: tuple[int, int]) -> dict[str, Any]:
+def _pair(loaded: Loaded, engine: Engine, overrides: Mapping[str, object], seeds: tuple[int, int]) -> PairNumbers:
     """Every number between two renderings of the scene."""
     first, second = (_rendered(loaded, engine, _settings(loaded, overrides, seed)) for seed in seeds)
     images = {"candidate": first, "reference": second}
     radius_m = _settings(loaded, overrides, seeds[0]).gather_radius_m
     observed = observe(loaded.scene, images, (Pair.CANDIDATE_REFERENCE,), SceneTruth(), radius_m)
-    numbers = [
-        {
-            "metric": f"{each.observation.name}.{entry.metric}",
-            "difference": entry.value - entry.ideal,
-            "standard_error": entry.noise.standard_error,
-            "degrees_of_freedom": min(entry.noise.degrees_of_freedom, 1e9),
-        }
+    numbers = tuple(
+        PairNumber(
+            metric=f"{each.observation.name}.{entry.metric}",
+            difference=entry.value - entry.ideal,
+            standard_error=entry.noise.standard_error,
+            degrees_of_freedom=min(entry.noise.degrees_of_freedom, 1e9),
+        )
         for each in observed
         for entry in each.measured
         if entry.noise.standard_error > 0
-    ]
-    return {"numbers": numbers}
+    )
+    return PairNumbers(numbers=numbers)
 
 
 def _settings(loaded: Loaded, overrides: Mapping[str, object], seed: int) -> Settings:

@@ -7,15 +7,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from typing import TypeVar
 
 import numpy as np
 from scipy import stats
 
+from vitrail.base.record import Record
 
-@dataclass(frozen=True)
-class Interval:
-    """A value with its two-sided confidence interval at ``level``."""
+
+class Estimate(Record):
+    """A value with its two-sided confidence interval at ``level``; at level 1 the range of all values seen."""
 
     value: float
     low: float
@@ -23,27 +24,29 @@ class Interval:
     level: float = 0.95
 
 
-@dataclass(frozen=True)
-class Setting:
+class Setting(Record):
     """One setting of one engine: its root-mean-square error and its cost, both over repeated seeds."""
 
     label: str
-    cost_s: Interval
-    error: Interval
+    cost_s: Estimate
+    error: Estimate
     bias: float
     standard_deviation: float
 
 
-def pareto_front(settings: Sequence[Setting]) -> list[Setting]:
+S = TypeVar("S", bound=Setting)
+
+
+def pareto_front(settings: Sequence[S]) -> list[S]:
     """Settings that no other beats in both cost and error, from cheap to expensive."""
-    front: list[Setting] = []
+    front: list[S] = []
     for candidate in sorted(settings, key=lambda s: (s.cost_s.value, s.error.value)):
         if not front or candidate.error.value < front[-1].error.value:
             front.append(candidate)
     return front
 
 
-def knee(front: Sequence[Setting]) -> Setting | None:
+def knee(front: Sequence[S]) -> S | None:
     """The setting after which accuracy gets dearer: farthest below the chord of the front in log-log axes.
 
     None where the front has fewer than three settings or is nowhere below its chord.
@@ -58,14 +61,15 @@ def knee(front: Sequence[Setting]) -> Setting | None:
     return front[best] if below[best] > 1e-9 else None
 
 
-def convergence_order(costs_s: Sequence[float], errors: Sequence[float], level: float = 0.95) -> Interval:
+def convergence_order(costs_s: Sequence[float], errors: Sequence[float], level: float = 0.95) -> Estimate:
     """Slope of log error against log cost by least squares: -1/2 for an unbiased estimator, flatter under bias."""
     x, y = np.log(np.asarray(costs_s, dtype=float)), np.log(np.asarray(errors, dtype=float))
     if len(x) < 3:
         raise ValueError(f"a slope with an interval needs three settings, got {len(x)}")
     fit = stats.linregress(x, y)
     half = float(stats.t.ppf(0.5 + level / 2, len(x) - 2) * fit.stderr)
-    return Interval(float(fit.slope), float(fit.slope) - half, float(fit.slope) + half, level)
+    slope = float(fit.slope)
+    return Estimate(value=slope, low=slope - half, high=slope + half, level=level)
 
 
 def cost_of_error(front: Sequence[Setting], target: float) -> float | None:

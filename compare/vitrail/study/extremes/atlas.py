@@ -2,27 +2,27 @@
 
 from __future__ import annotations
 
-import json
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import Any, get_args
 
+from vitrail.base.record import JsonObject, write_record
+from vitrail.base.whole_file import write_whole
 from vitrail.engines.engine_build import engine_build
 from vitrail.pipeline.queue import Progress, run_tasks
 from vitrail.pipeline.task import Row, Task
 from vitrail.pipeline.task_log import TaskLog
-from vitrail.study.extremes.axis import AtlasEngine, Axis
+from vitrail.study.extremes.axis import ENGINES, AtlasEngine, Axis
 from vitrail.study.extremes.ball_axes import BALL_AXES
 from vitrail.study.extremes.incidence_axes import INCIDENCE_AXES
 from vitrail.study.extremes.index_axes import INDEX_AXES
 from vitrail.study.extremes.light_axes import LIGHT_AXES
 from vitrail.study.extremes.measure import probe_of
+from vitrail.study.extremes.records import Atlas, AtlasAxis, AtlasReading, EngineRange, MeasuredRange
 from vitrail.study.extremes.search import Range, Reading, binary, find_limit, geometric, whole
 from vitrail.study.extremes.size_axes import SIZE_AXES
 
 AXES: tuple[Axis, ...] = (*SIZE_AXES, *LIGHT_AXES, *BALL_AXES, *INDEX_AXES, *INCIDENCE_AXES)
-ENGINES: tuple[AtlasEngine, ...] = get_args(AtlasEngine)
 
 
 def atlas_tasks(axes: Sequence[Axis] = AXES) -> list[Task]:
@@ -37,25 +37,25 @@ def atlas_tasks(axes: Sequence[Axis] = AXES) -> list[Task]:
 
 def run_atlas(
     out: Path, *, jobs: int = 1, axes: Sequence[Axis] = AXES, report: Callable[[Progress], None] = lambda p: None
-) -> dict[str, Any]:
+) -> Atlas:
     """Measure what is missing in ``out`` and write atlas.json and scenes/; returns the atlas."""
     tasks = atlas_tasks(axes)
     rows = run_tasks(tasks, TaskLog(out), {"range": measure_range}, jobs=jobs, report=report)
-    atlas = {"vitrail_atlas": 1, "axes": [_axis_record(axis, rows) for axis in axes]}
-    _write_scenes(out / "scenes", axes, rows)
-    (out / "atlas.json").write_text(json.dumps(atlas, indent=1, sort_keys=True, allow_nan=False) + "\n")
+    atlas = Atlas(axes=tuple(_atlas_axis(axis, rows) for axis in axes))
+    write_scenes(out / "scenes", atlas)
+    write_record(atlas, out / "atlas.json")
     return atlas
 
 
-def measure_range(spec: Mapping[str, Any]) -> tuple[Mapping[str, Any], Mapping[str, float]]:
+def measure_range(spec: JsonObject) -> tuple[JsonObject, JsonObject]:
     """The work of one task: walk the axis in the engine and bisect to the first failing value."""
     axis = next(axis for axis in AXES if axis.name == spec["axis"])
     between = whole if axis.whole else binary if axis.is_binary and spec["engine"] == "tracer" else geometric
     found = find_limit(list(axis.values), probe_of(axis, spec["engine"]), between)
-    return _range_record(found), {}
+    return _measured_range(found).model_dump(mode="json"), {}
 
 
-def _definition(axis: Axis) -> dict[str, Any]:
+def _definition(axis: Axis) -> JsonObject:
     """What makes a stored range stale: the walked values, the tolerances and both scene texts."""
     return {
         "values": list(axis.values),
@@ -67,25 +67,22 @@ def _definition(axis: Axis) -> dict[str, Any]:
     }
 
 
-def _range_record(found: Range) -> dict[str, Any]:
-    return {
-        "last_holding": found.last_holding,
-        "first_failing": found.first_failing,
-        "readings": [_reading_record(reading) for reading in found.readings],
-    }
+def _measured_range(found: Range) -> MeasuredRange:
+    readings = tuple(_atlas_reading(reading) for reading in found.readings)
+    return MeasuredRange(last_holding=found.last_holding, first_failing=found.first_failing, readings=readings)
 
 
-def _reading_record(reading: Reading) -> dict[str, Any]:
+def _atlas_reading(reading: Reading) -> AtlasReading:
     finite = math.isfinite(reading.measured)
-    return {
-        "value": reading.value,
-        "measured": reading.measured if finite else None,
-        "expected": reading.expected if math.isfinite(reading.expected) else None,
-        "deviation": reading.deviation if finite else None,
-        "digits": _digits(reading.deviation) if finite else 0.0,
-        "holds": reading.holds,
-        "words": reading.words,
-    }
+    return AtlasReading(
+        value=reading.value,
+        measured=reading.measured if finite else None,
+        expected=reading.expected if math.isfinite(reading.expected) else None,
+        deviation=reading.deviation if finite else None,
+        digits=_digits(reading.deviation) if finite else 0.0,
+        holds=reading.holds,
+        words=reading.words,
+    )
 
 
 def _digits(deviation: float) -> float:
@@ -93,36 +90,36 @@ def _digits(deviation: float) -> float:
     return 16.0 if deviation <= 0 else min(16.0, max(0.0, -math.log10(deviation)))
 
 
-def _axis_record(axis: Axis, rows: Sequence[Row]) -> dict[str, Any]:
+def _atlas_axis(axis: Axis, rows: Sequence[Row]) -> AtlasAxis:
     found = {row.spec["engine"]: row for row in rows if row.spec["axis"] == axis.name}
-    return {
-        "name": axis.name,
-        "quantity": axis.quantity,
-        "unit": axis.unit,
-        "invariant": axis.invariant,
-        "first": axis.values[0],
-        "last": axis.values[-1],
-        "engines": {
-            engine: {
-                "tolerance": axis.tolerance[engine].value,
-                "tolerance_reason": axis.tolerance[engine].reason,
-                "limit": axis.limit.get(engine, ""),
-                "failure": row.failure,
-                **(row.result or {}),
-            }
-            for engine, row in found.items()
-        },
-    }
+    return AtlasAxis(
+        name=axis.name,
+        quantity=axis.quantity,
+        unit=axis.unit,
+        invariant=axis.invariant,
+        first=axis.values[0],
+        last=axis.values[-1],
+        engines={engine: _engine_range(axis, engine, row) for engine, row in found.items()},
+    )
 
 
-def _write_scenes(folder: Path, axes: Sequence[Axis], rows: Sequence[Row]) -> None:
+def _engine_range(axis: Axis, engine: AtlasEngine, row: Row) -> EngineRange:
+    """One engine's range, with what the axis knows of it."""
+    return EngineRange(
+        **dict(MeasuredRange.model_validate(row.result or {})),
+        tolerance=axis.tolerance[engine].value,
+        tolerance_reason=axis.tolerance[engine].reason,
+        limit=axis.limit.get(engine, ""),
+        failure=row.failure,
+    )
+
+
+def write_scenes(folder: Path, atlas: Atlas) -> None:
     """The scene of each first failure in both languages, so that anybody can see it fail."""
-    folder.mkdir(exist_ok=True)
-    for row in rows:
-        failing = (row.result or {}).get("first_failing")
-        if failing is None:
-            continue
-        axis = next(axis for axis in axes if axis.name == row.spec["axis"])
-        stem = folder / f"{axis.name}-{row.spec['engine']}"
-        stem.with_suffix(".yaml").write_text(axis.scene(failing))
-        stem.with_suffix(".pov").write_text(axis.sdl(failing))
+    axes = {axis.name: axis for axis in AXES}
+    for record in atlas.axes:
+        for engine, found in record.engines.items():
+            if found.first_failing is not None:
+                axis, stem = axes[record.name], folder / f"{record.name}-{engine}"
+                write_whole(stem.with_suffix(".yaml"), axis.scene(found.first_failing))
+                write_whole(stem.with_suffix(".pov"), axis.sdl(found.first_failing))

@@ -8,11 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from typing import Any, Literal
+from typing import Any, Literal, get_args
 
 import numpy as np
 
 AtlasEngine = Literal["tracer", "povray"]
+ENGINES: tuple[AtlasEngine, ...] = get_args(AtlasEngine)
 
 
 @dataclass(frozen=True)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import Any
 
 from vitrail.judge.comparison import ObservationResult, Verdict
 from vitrail.judge.diagnosis import Diagnosis
@@ -19,11 +18,12 @@ from vitrail.pipeline.request import Request
 from vitrail.pipeline.scene_run import SceneRun
 from vitrail.pipeline.suite import judge
 from vitrail.study.mutants.bench import Bench, unwatched
+from vitrail.study.mutants.records import AblatedWitness, CleanAblations
 
 
 def whereabouts_of(
     found: Diagnosis, results: Results, runs: Mapping[str, SceneRun], requests: Mapping[str, Request], bench: Bench
-) -> dict[str, Any] | None:
+) -> AblatedWitness | None:
     """Suspects and outcomes for the observation that a diagnosis rests on; None where the engines agree there."""
     record = next((scene for scene in results.scenes if scene.name == found.scene), None)
     if record is None or record.name not in runs:
@@ -36,19 +36,18 @@ def whereabouts_of(
     where = next(entry.where for entry in again.scenes[0].observations if entry.name == found.observation)
     if where is None:
         return None
-    return {
-        "suspects": [phenomenon.value for phenomenon in where.suspects],
-        "ablations": {entry.off: entry.outcome.value for entry in where.ablations},
-    }
+    outcomes = {entry.off: entry.outcome for entry in where.ablations}
+    return AblatedWitness(suspects=where.suspects, ablations=outcomes)
 
 
-def clean_ablations(bench: Bench) -> dict[str, Any]:
+def clean_ablations(bench: Bench) -> CleanAblations:
     """Every ablation of every clean scene: how many there are, and those whose engines do not agree, or that failed.
 
     An ablation that makes a deviation where there was none changes something in one engine only, and would mislead.
     """
     results = bench.judged(bench.clean)
-    level, count, apart = results.false_alarms.level, 0, {}
+    apart: dict[str, str] = {}
+    level, count = results.false_alarms.level, 0
     for record in results.scenes:
         run, request = bench.clean[record.name], bench.requests[record.name]
         assert run.references is not None
@@ -60,7 +59,7 @@ def clean_ablations(bench: Bench) -> dict[str, Any]:
             words = [f"{each.name} {each.verdict.value}" for each in judged if _is_apart(each, look.ablation.name)]
             if words or look.reason:
                 apart[f"{record.name}, {look.ablation.name}"] = look.reason or ", ".join(words)
-    return {"count": count, "apart": apart}
+    return CleanAblations(count=count, apart=apart)
 
 
 def _is_apart(observation: ObservationResult, off: str) -> bool:

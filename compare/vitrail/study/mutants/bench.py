@@ -16,6 +16,7 @@ from vitrail.pipeline.suite import judge
 from vitrail.plan.analyse import analyse
 from vitrail.plan.budget import settings_for
 from vitrail.scene.load import Loaded, load
+from vitrail.study.mutants.records import Alarm
 
 FEWER: Mapping[str, object] = {"photons": 200_000}
 """Where POV-Ray takes 10 s and more at the photons of normal quality, and a fifth of them leave 0.1 % of noise."""
@@ -88,16 +89,16 @@ def content(loaded: Loaded, request: Request) -> tuple[str, str]:
     return tracer_key("", lowered.tracer), povray_key("", lowered.povray)
 
 
-def alone(bench: Bench, scenes: list[SceneResult]) -> dict[str, dict[str, object]]:
+def alone(bench: Bench, scenes: list[SceneResult]) -> dict[str, Alarm]:
     """Whether each whole-image number would have stopped the run, and on which scenes.
 
     A scene on which it calls even the clean run different tells nothing, and is not counted.
     """
     return {
-        metric: {"caught": bool(told), "scenes": told}
+        metric: Alarm(caught=bool(told), scenes=told)
         for metric in ALONE
         for told in [
-            [scene.name for scene in scenes if scene.name not in bench.alarms[metric] and _is_far(scene, metric)]
+            tuple(scene.name for scene in scenes if scene.name not in bench.alarms[metric] and _is_far(scene, metric))
         ]
     }
 

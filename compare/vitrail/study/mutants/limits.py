@@ -7,13 +7,12 @@ that the tracer reads; POV-Ray reads the right one.
 
 from __future__ import annotations
 
-import json
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
+from vitrail.base.record import write_record
 from vitrail.judge.comparison import Comparison, Verdict
 from vitrail.judge.records import SceneResult
 from vitrail.pipeline.about_run import about_run
@@ -22,6 +21,7 @@ from vitrail.pipeline.scene_run import run_scene
 from vitrail.pipeline.suite import judge
 from vitrail.scene.load import load
 from vitrail.study.mutants import misreadings as misread
+from vitrail.study.mutants.records import LimitNumber, LimitRow, Limits
 
 SHARES = (0.0, 0.5, 1.0)
 """None of the defect, half of it, all of it."""
@@ -91,37 +91,37 @@ LIMITS = (
 
 def measure_limits(
     bench: Path, out: Path, *, limits: Sequence[Limit] = LIMITS, against: tuple[str, ...] = ("povray",)
-) -> dict[str, Any]:
+) -> Limits:
     """Judge every limit at every share, each in a run of its own; write and return limits.json."""
-    rows = [_row(limit, share, bench, out, against) for limit in limits for share in SHARES]
-    found = {"vitrail_limits": 1, "rows": rows, "kept": all(is_kept(row) for row in rows)}
-    out.mkdir(parents=True, exist_ok=True)
-    (out / "limits.json").write_text(json.dumps(found, indent=1, sort_keys=True) + "\n")
+    rows = tuple(_row(limit, share, bench, out, against) for limit in limits for share in SHARES)
+    found = Limits(rows=rows, kept=all(is_kept(row) for row in rows))
+    write_record(found, out / "limits.json")
     return found
 
 
-def is_kept(row: Mapping[str, Any]) -> bool:
+def is_kept(row: LimitRow) -> bool:
     """Nothing agrees, half does not agree, all deviates: against every side there is."""
-    wanted = {0.0: {"agrees"}, 0.5: {"inconclusive", "deviates"}, 1.0: {"deviates"}}[row["share"]]
-    return bool(row["against"]) and all(entry["verdict"] in wanted for entry in row["against"].values())
+    agrees, open_, deviates = Verdict.AGREES, Verdict.INCONCLUSIVE, Verdict.DEVIATES
+    wanted = {0.0: {agrees}, 0.5: {open_, deviates}, 1.0: {deviates}}[row.share]
+    return bool(row.against) and all(number.verdict in wanted for number in row.against.values())
 
 
-def _row(limit: Limit, share: float, bench: Path, out: Path, against: tuple[str, ...]) -> dict[str, Any]:
+def _row(limit: Limit, share: float, bench: Path, out: Path, against: tuple[str, ...]) -> LimitRow:
     """One size of one defect: the number that sees it best, against POV-Ray and against the closed form."""
     defect = Defect(limit.name, misread_by_tracer=limit.misreading(share * limit.size)) if share else Defect()
     request = Request(out=out / "bench", against=against, defect=defect)
     run = run_scene(load(bench / f"{limit.scene}.yaml"), limit.scene, request, lambda phase, done, total: None)
     (scene,) = judge([run], about_run((), 0)).scenes
     pairs = {side: _clearest(scene, limit.families, f"tracer-vs-{side}") for side in (*against, "truth")}
-    return {
-        "name": limit.name,
-        "words": limit.words,
-        "size": share * limit.size,
-        "unit": limit.unit,
-        "share": share,
-        "scene": limit.scene,
-        "against": {side: _record(entry) for side, entry in pairs.items() if entry is not None},
-    }
+    return LimitRow(
+        name=limit.name,
+        words=limit.words,
+        size=share * limit.size,
+        unit=limit.unit,
+        share=share,
+        scene=limit.scene,
+        against={side: _number(entry) for side, entry in pairs.items() if entry is not None},
+    )
 
 
 def _clearest(scene: SceneResult, families: Sequence[str], pair: str) -> Comparison | None:
@@ -140,35 +140,13 @@ def _clearest(scene: SceneResult, families: Sequence[str], pair: str) -> Compari
     )
 
 
-def _record(entry: Comparison) -> dict[str, Any]:
-    return {
-        "metric": entry.metric,
-        "unit": entry.unit,
-        "difference": entry.difference,
-        "ideal": entry.ideal,
-        "half_width": entry.interval.half_width,
-        "tolerance": entry.tolerance,
-        "verdict": entry.verdict.value,
-    }
-
-
-def limits_table(found: Mapping[str, Any]) -> str:
-    """The table of docs/studies/mutants.md, in Markdown: lengths in mm, shares in %."""
-    lines = [
-        "| defect in the tracer's scene | size | against POV-Ray: off by, may be | | against the closed form | |",
-        "|---|---|---|---|---|---|",
-    ]
-    for row in found["rows"]:
-        cells = [f"{row['words']} ({row['scene']})", f"{row['size']:g} {row['unit']}"]
-        for side in ("povray", "truth"):
-            entry = row["against"].get(side)
-            cells += [_numbers(entry), entry["verdict"]] if entry else ["", ""]
-        lines.append("| " + " | ".join(cells) + " |")
-    return "\n".join(lines) + "\n"
-
-
-def _numbers(entry: Mapping[str, Any]) -> str:
-    """Difference, noise and tolerance, as lengths or as shares of what should be."""
-    size, unit = (1e-3, "mm") if entry["unit"] == "m" and not entry["ideal"] else (abs(entry["ideal"]) / 100, "%")
-    off, noise, allowed = (entry[name] / size for name in ("difference", "half_width", "tolerance"))
-    return f"{off:.2g} ± {noise:.2g} {unit}, {allowed:.2g} {unit}"
+def _number(entry: Comparison) -> LimitNumber:
+    return LimitNumber(
+        metric=entry.metric,
+        unit=entry.unit,
+        difference=entry.difference,
+        ideal=entry.ideal,
+        half_width=entry.interval.half_width,
+        tolerance=entry.tolerance,
+        verdict=entry.verdict,
+    )

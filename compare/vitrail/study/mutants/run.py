@@ -6,13 +6,12 @@ what a second run would give.
 
 from __future__ import annotations
 
-import json
 import time
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
+from vitrail.base.record import JsonObject, write_record
 from vitrail.judge.comparison import Pair, Verdict
 from vitrail.judge.diagnosis import Diagnosis, diagnose
 from vitrail.judge.records import Results, Status
@@ -25,6 +24,7 @@ from vitrail.study.mutants.ablated import clean_ablations, whereabouts_of
 from vitrail.study.mutants.bench import Bench, alone, clean_bench, content, unwatched
 from vitrail.study.mutants.catalogue import MUTANTS
 from vitrail.study.mutants.mutant import Mutant
+from vitrail.study.mutants.records import CleanBench, Injection, MutantEntry, Mutants, Reported, Witness
 
 
 def run_mutants(
@@ -34,7 +34,7 @@ def run_mutants(
     mutants: Sequence[Mutant] = MUTANTS,
     jobs: int = 1,
     report: Callable[[Progress], None] = lambda progress: None,
-) -> dict[str, Any]:
+) -> Mutants:
     """Measure what is missing in ``out`` and write mutants.json; returns its content. ``scenes``: the scene folders."""
     start = time.thread_time()
     bench = clean_bench(scenes, out)
@@ -43,27 +43,26 @@ def run_mutants(
     tasks = [Task("mutant", {"name": name, "what": known[name].what, "bench": _content(bench)}) for name in known]
     work: dict[str, Work] = {"mutant": lambda spec: _measured(known[spec["name"]], bench, out / spec["name"])}
     rows = run_tasks(tasks, TaskLog(out), work, jobs=jobs, report=report)
-    ablated = clean_ablations(bench)
-    entries = [_record(known[row.spec["name"]], row) for row in rows]
-    found = {
-        "vitrail_mutants": 3,
-        "clean": {
-            **_diagnosis_record(diagnose(bench.judged(bench.clean).scenes)),
-            "scenes": list(bench.scenes),
-            "alone": {metric: sorted(names) for metric, names in bench.alarms.items()},
-            "ablated": ablated,
-        },
-        "mutants": entries,
-        "caught": sum(1 for entry in entries if entry["reported"] is not None),
-        "named": sum(1 for entry in entries if entry["reported"] == entry["injected"]),
-        "located": sum(1 for entry in entries if (entry["where"] or {}).get("suspects") == [entry["injected"]]),
-        "cpu_s": round(bench_cpu_s + sum(row.cost.get("cpu_s", 0.0) for row in rows)),
-    }
-    (out / "mutants.json").write_text(json.dumps(found, indent=1, sort_keys=True) + "\n")
+    clean = CleanBench(
+        **dict(_reported(diagnose(bench.judged(bench.clean).scenes))),
+        scenes=tuple(bench.scenes),
+        alone={metric: tuple(sorted(names)) for metric, names in bench.alarms.items()},
+        ablated=clean_ablations(bench),
+    )
+    entries = tuple(_entry(known[row.spec["name"]], row) for row in rows)
+    found = Mutants(
+        clean=clean,
+        mutants=entries,
+        caught=sum(entry.reported is not None for entry in entries),
+        named=sum(entry.reported is entry.injected for entry in entries),
+        located=sum(entry.suspects == (entry.injected,) for entry in entries),
+        cpu_s=round(bench_cpu_s + sum(row.cost.get("cpu_s", 0.0) for row in rows)),
+    )
+    write_record(found, out / "mutants.json")
     return found
 
 
-def _measured(mutant: Mutant, bench: Bench, place: Path) -> tuple[dict[str, Any], dict[str, Any]]:
+def _measured(mutant: Mutant, bench: Bench, place: Path) -> tuple[JsonObject, JsonObject]:
     """One mutant and what it cost. Its folder shares the finished renderings of the clean bench."""
     start = time.thread_time()
     place.mkdir(parents=True, exist_ok=True)
@@ -71,10 +70,10 @@ def _measured(mutant: Mutant, bench: Bench, place: Path) -> tuple[dict[str, Any]
     if not shared.exists():
         shared.symlink_to(next(iter(bench.requests.values())).cache.resolve())
     result, runs = _inject(mutant, bench, place)
-    return result, {"cpu_s": time.thread_time() - start + _engines_s(runs, (mutant.engine,))}
+    return result.model_dump(mode="json"), {"cpu_s": time.thread_time() - start + _engines_s(runs, (mutant.engine,))}
 
 
-def _inject(mutant: Mutant, bench: Bench, place: Path) -> tuple[dict[str, Any], list[SceneRun]]:
+def _inject(mutant: Mutant, bench: Bench, place: Path) -> tuple[Injection, list[SceneRun]]:
     """Render and judge the bench with one mutant in it; returns what was found and the scenes that were rendered."""
     touched = bench.touched(mutant.defect)
     if not touched:
@@ -87,18 +86,18 @@ def _inject(mutant: Mutant, bench: Bench, place: Path) -> tuple[dict[str, Any], 
     refused = {name: run.record.message for name, run in runs.items() if run.record.status is not Status.JUDGED}
     if refused and found.phenomenon is None:
         raise ValueError(f"{mutant.name} is stopped and not measured; {refused}")
-    record = {
-        "touched": touched,
-        "stopped": sorted(refused),
-        **_diagnosis_record(found),
-        "witness": _witness(results, found),
-        "where": whereabouts_of(found, results, runs, requests, bench),
-        "alone": alone(bench, [scene for scene in results.scenes if scene.name in touched]),
-    }
-    return record, list(runs.values())
+    result = Injection(
+        **dict(_reported(found)),
+        touched=tuple(touched),
+        stopped=tuple(sorted(refused)),
+        witness=_witness(results, found),
+        where=whereabouts_of(found, results, runs, requests, bench),
+        alone=alone(bench, [scene for scene in results.scenes if scene.name in touched]),
+    )
+    return result, list(runs.values())
 
 
-def _witness(results: Results, found: Diagnosis) -> dict[str, Any] | None:
+def _witness(results: Results, found: Diagnosis) -> Witness | None:
     """The number that is furthest beyond its tolerance in the observation that the diagnosis rests on."""
     entries = [
         entry
@@ -111,13 +110,13 @@ def _witness(results: Results, found: Diagnosis) -> dict[str, Any] | None:
     if not entries:
         return None
     worst = max(entries, key=lambda entry: abs(entry.difference) / max(entry.tolerance, 1e-12))
-    return {
-        "metric": worst.metric,
-        "difference": worst.difference,
-        "half_width": worst.interval.half_width,
-        "tolerance": worst.tolerance,
-        "unit": worst.unit,
-    }
+    return Witness(
+        metric=worst.metric,
+        difference=worst.difference,
+        half_width=worst.interval.half_width,
+        tolerance=worst.tolerance,
+        unit=worst.unit,
+    )
 
 
 def _content(bench: Bench) -> list[str]:
@@ -127,34 +126,21 @@ def _content(bench: Bench) -> list[str]:
     return versions + [key for name, loaded in bench.scenes.items() for key in content(loaded, clean[name])]
 
 
-def _diagnosis_record(found: Diagnosis) -> dict[str, Any]:
-    return {
-        "reported": found.phenomenon.value if found.phenomenon else None,
-        "engine": found.engine,
-        "deviating": [phenomenon.value for phenomenon in found.deviating],
-        "scene": found.scene,
-    }
+def _reported(found: Diagnosis) -> Reported:
+    return Reported(reported=found.phenomenon, engine=found.engine, deviating=tuple(found.deviating), scene=found.scene)
 
 
-def _record(mutant: Mutant, row: Row) -> dict[str, Any]:
-    blank: dict[str, Any] = {
-        **_diagnosis_record(Diagnosis(None, None, ())),
-        "touched": [],
-        "alone": {},
-        "stopped": [],
-        "witness": None,
-        "where": None,
-    }
-    return {
-        "name": mutant.name,
-        "place": mutant.place,
-        "what": mutant.what,
-        "injected": mutant.phenomenon.value,
-        "injected_engine": mutant.engine,
-        "failure": row.failure,
-        **blank,
-        **(row.result or {}),
-    }
+def _entry(mutant: Mutant, row: Row) -> MutantEntry:
+    """One mutant with what came of it; a failed one has nothing but its words."""
+    return MutantEntry(
+        **dict(Injection.model_validate(row.result or {})),
+        name=mutant.name,
+        place=mutant.place,
+        what=mutant.what,
+        injected=mutant.phenomenon,
+        injected_engine=mutant.engine,
+        failure=row.failure,
+    )
 
 
 def _engines_s(runs: Iterable[SceneRun], engines: Sequence[str]) -> float:

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from itertools import product
-from typing import Any, Literal, get_args
+from typing import Literal, get_args
 
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.geometry.world import World
@@ -23,6 +23,11 @@ from vitrail.scene.model import Scene
 
 EngineName = Literal["tracer", "povray"]
 Extent = Literal["quick", "normal", "wide"]
+
+KnobValue = int | float | str | dict[str, int]
+"""A number, a name, or one that takes a number: ``{"spectral": 8}``."""
+
+KnobValues = Mapping[str, KnobValue]
 
 ENGINES: tuple[EngineName, ...] = get_args(EngineName)
 
@@ -38,7 +43,7 @@ SCALES: Mapping[Extent, tuple[int, ...]] = {"quick": (1, 2), "normal": (1, 2, 4)
 """Width and height of the image over those the scene asks for: a pixel blurs what it sees as much as a gather disc."""
 
 SAMPLES: Mapping[Extent, tuple[int, ...]] = {"quick": (1, 4), "normal": (1, 4, 16), "wide": (1, 4, 16, 64)}
-BANDS: Mapping[Extent, tuple[Any, ...]] = {
+BANDS: Mapping[Extent, tuple[KnobValue, ...]] = {
     "quick": ("paper", {"spectral": 8}),
     "normal": ("paper", {"spectral": 8}, {"spectral": 32}),
     "wide": ("paper", "povray", {"spectral": 8}, {"spectral": 32}),
@@ -55,8 +60,8 @@ class Knobs:
     and ``image_scale`` times its width and height."""
 
     engine: EngineName
-    settings: Mapping[str, Any]
-    wishes: Mapping[str, Any]
+    settings: KnobValues
+    wishes: KnobValues
     seed: int
 
     @property
@@ -68,18 +73,18 @@ class Knobs:
 UNITS = {"gather_radius_m": ("gather radius", 1e3, " mm")}
 
 
-def label_of(parts: Mapping[str, Any]) -> str:
+def label_of(parts: KnobValues) -> str:
     """Knobs as a person reads them: ``photons 10 000, gather radius 6.84 mm``, which says that a disc gathers."""
     named = sorted((name for name in parts if parts[name] != "photon_map"), key=lambda name: (name != "photons", name))
     return ", ".join(_knob(name, parts[name]) for name in named)
 
 
-def _knob(name: str, value: Any) -> str:
+def _knob(name: str, value: KnobValue) -> str:
     words, scale, unit = UNITS.get(name, (name.replace("_", " "), 1.0, ""))
-    return f"{words} {_short(value * scale if scale != 1.0 else value)}{unit}"
+    return f"{words} {_short(value * scale if scale != 1.0 and isinstance(value, int | float) else value)}{unit}"
 
 
-Setting = tuple[dict[str, Any], dict[str, Any]]
+Point = tuple[KnobValues, KnobValues]
 """Settings and wishes of one point of the matrix."""
 
 
@@ -95,13 +100,13 @@ def matrix(scene: Scene, plan: Plan, usual_radius_m: float, extent: Extent) -> l
     return list(found.values())
 
 
-def _main(plan: Plan, radius_m: float, extent: Extent, engine: EngineName) -> list[Setting]:
+def _main(plan: Plan, radius_m: float, extent: Extent, engine: EngineName) -> list[Point]:
     """Photons and radius for a caustic, samples a pixel for anything else; cheap ones first."""
     if not plan.requires(Phenomenon.CAUSTIC):
         return [({"samples": samples}, {}) for samples in SAMPLES[extent]]
     photons, radii = PHOTONS[extent][engine], RADII[extent]
-    usual: dict[str, Any] = {"samples": 1} | ({"solver": "photon_map"} if engine == "tracer" else {})
-    found: list[Setting] = [
+    usual: KnobValues = {"samples": 1} | ({"solver": "photon_map"} if engine == "tracer" else {})
+    found: list[Point] = [
         ({**usual, "photons": n, "gather_radius_m": radius_m * share}, {}) for n, share in product(photons, radii)
     ]
     # The smallest disc is narrower than a pixel: give it pixels to match.
@@ -114,18 +119,26 @@ def _main(plan: Plan, radius_m: float, extent: Extent, engine: EngineName) -> li
     return found
 
 
-def _larger(scale: int) -> dict[str, Any]:
+def amount(values: KnobValues, knob: str) -> float:
+    """How much work a knob of work (photons, samples) asks for."""
+    value = values[knob]
+    if not isinstance(value, int | float):
+        raise TypeError(f"{knob} is {value!r}, which is no amount of work")
+    return float(value)
+
+
+def _larger(scale: int) -> KnobValues:
     return {"image_scale": scale} if scale != 1 else {}
 
 
-def _middle(main: list[Setting]) -> dict[str, Any]:
+def _middle(main: list[Point]) -> KnobValues:
     """The first setting of the middle photon count, or of the middle number of samples."""
-    work: list[int] = [settings.get("photons") or settings["samples"] for settings, _ in main]
+    work = [amount(settings, "photons" if settings.get("photons") else "samples") for settings, _ in main]
     steps = sorted(set(work))
     return main[work.index(steps[(len(steps) - 1) // 2])][0]
 
 
-def _around(middle: dict[str, Any], scene: Scene, plan: Plan, extent: Extent, engine: EngineName) -> Iterator[Setting]:
+def _around(middle: KnobValues, scene: Scene, plan: Plan, extent: Extent, engine: EngineName) -> Iterator[Point]:
     """Every other knob that has a meaning here, turned by itself."""
     own = scene.transport.model_dump()
     if plan.requires(Phenomenon.CAUSTIC):
@@ -149,7 +162,7 @@ def _different_modes(scene: Scene, plan: Plan) -> list[str]:
     return [name for name in found.values() if name != "auto"]
 
 
-def _short(value: Any) -> str:
+def _short(value: KnobValue) -> str:
     if isinstance(value, float):
         return f"{value:.3g}"
     if isinstance(value, int):

@@ -7,8 +7,8 @@ import tempfile
 from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
+from vitrail.base.record import JsonObject
 from vitrail.engines.base import Rendering
 from vitrail.engines.povray import Povray
 from vitrail.engines.tracer import Tracer
@@ -27,6 +27,8 @@ from vitrail.plan.settings import Quality
 from vitrail.scene.load import Loaded
 from vitrail.scene.model import Scene, Transport
 from vitrail.study.tradeoff.converged import Converged
+from vitrail.study.tradeoff.knobs import KnobValue
+from vitrail.study.tradeoff.records import Errors, MeasuredError, RunCost
 
 PAIRS = {"tracer": Pair.TRACER_TRUTH, "povray": Pair.POVRAY_TRUTH}
 NOT_RELATIVE = ("delta_e_2000", "peak_difference")
@@ -39,34 +41,37 @@ class Measure:
     def __init__(self, loaded: Loaded, truth: SceneTruth, converged: Converged | None = None) -> None:
         self._loaded, self._truth, self._converged = loaded, truth, converged
 
-    def setting(self, spec: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, float]]:
+    def setting(self, spec: JsonObject) -> tuple[JsonObject, JsonObject]:
         """``spec`` as made by ``study.tradeoff.run``; returns errors by observation and the cost."""
         loaded = self._with_wishes(spec["wishes"])
         with tempfile.TemporaryDirectory(prefix="vitrail-tradeoff-") as folder:
             rendering, radius_m = _rendered(spec, loaded, Path(folder))
             image = read_image(rendering.image_path)
-        return {"errors": self._errors(loaded.scene, spec["engine"], image, radius_m)}, _cost(rendering)
+        errors = self._errors(loaded.scene, spec["engine"], image, radius_m)
+        return errors.model_dump(mode="json"), _cost(rendering).model_dump(mode="json")
 
-    def reference(self, spec: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, float]]:
+    def reference(self, spec: JsonObject) -> tuple[JsonObject, JsonObject]:
         """What the second of the converged renderings differs from the first: the reference's own error."""
         assert self._converged is not None
         radius_m = float(spec["settings"]["reference"]["gather_radius_m"])
-        return {"errors": self._errors(self._loaded.scene, "tracer", self._converged.image("second"), radius_m)}, {}
+        errors = self._errors(self._loaded.scene, "tracer", self._converged.image("second"), radius_m)
+        return errors.model_dump(mode="json"), {}
 
-    def _errors(self, scene: Scene, engine: str, image: ImageLayers, radius_m: float) -> list[dict[str, Any]]:
+    def _errors(self, scene: Scene, engine: str, image: ImageLayers, radius_m: float) -> Errors:
         """The errors of one image of ``scene`` by observation and metric."""
         if self._converged is None:
             observed = observe(scene, {engine: image}, (PAIRS[engine],), self._truth, radius_m)
         else:
             images = {"candidate": image, "reference": self._converged.image("reference")}
             observed = observe(scene, images, (Pair.CANDIDATE_REFERENCE,), SceneTruth(), radius_m)
-        return [error for entry in observed for error in _errors(entry)]
+        return Errors(errors=tuple(error for entry in observed for error in _errors(entry)))
 
-    def _with_wishes(self, wishes: Mapping[str, Any]) -> Loaded:
+    def _with_wishes(self, wishes: Mapping[str, KnobValue]) -> Loaded:
         """The scene with some of its wishes replaced."""
         if not wishes:
             return self._loaded
-        scene, scale = self._loaded.scene, int(wishes.get("image_scale", 1))
+        scene, scale = self._loaded.scene, wishes.get("image_scale", 1)
+        assert isinstance(scale, int)
         changes = {name: value for name, value in wishes.items() if name != "image_scale"}
         transport = Transport.model_validate({**scene.transport.model_dump(), **changes})
         size = {"width": scene.image.width * scale, "height": scene.image.height * scale}
@@ -74,7 +79,7 @@ class Measure:
         return replace(self._loaded, scene=scene.model_copy(update={"transport": transport, "image": image}))
 
 
-def _rendered(spec: Mapping[str, Any], loaded: Loaded, folder: Path) -> tuple[Rendering, float]:
+def _rendered(spec: JsonObject, loaded: Loaded, folder: Path) -> tuple[Rendering, float]:
     """One thread, so that CPU seconds are those of the work and not of waiting."""
     world = World.of(loaded)
     plan = analyse(world)
@@ -86,25 +91,25 @@ def _rendered(spec: Mapping[str, Any], loaded: Loaded, folder: Path) -> tuple[Re
     return Povray(timeout_s=TIMEOUT_S).render(text, folder, threads=1), settings.gather_radius_m
 
 
-def _cost(rendering: Rendering) -> dict[str, float]:
+def _cost(rendering: Rendering) -> RunCost:
     """CPU seconds and peak memory of the engine's own process."""
     record = rendering.record
     process = record.get("process", {})
-    return {
-        "cpu_s": float(process.get("cpu_s", record["cpu_s"]["total"])),
-        "peak_memory_bytes": float(max(process.get("peak_memory_bytes", 0), record["peak_memory_bytes"])),
-    }
+    return RunCost(
+        cpu_s=process.get("cpu_s", record["cpu_s"]["total"]),
+        peak_memory_bytes=max(process.get("peak_memory_bytes", 0), record["peak_memory_bytes"]),
+    )
 
 
-def _errors(observed: Observed) -> list[dict[str, Any]]:
+def _errors(observed: Observed) -> list[MeasuredError]:
     return [
-        {
-            "observation": observed.observation.name,
-            "phenomenon": observed.observation.phenomenon.value,
-            "metric": measured.metric,
-            "error": (measured.value - measured.ideal) / _scale(measured, observed),
-            "standard_error": measured.noise.standard_error / _scale(measured, observed),
-        }
+        MeasuredError(
+            observation=observed.observation.name,
+            phenomenon=observed.observation.phenomenon,
+            metric=measured.metric,
+            error=(measured.value - measured.ideal) / _scale(measured, observed),
+            standard_error=measured.noise.standard_error / _scale(measured, observed),
+        )
         for measured in observed.measured
         if math.isfinite(measured.value) and measured.metric not in NOT_RELATIVE
     ]

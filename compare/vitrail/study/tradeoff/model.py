@@ -10,13 +10,14 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from scipy import optimize
 
 from vitrail.pipeline.task import canonical
+from vitrail.study.tradeoff.knobs import KnobValue
 from vitrail.study.tradeoff.orders import WORK
+from vitrail.study.tradeoff.records import TriedSetting
 
 REACH = 4.0
 """How far beyond the most work tried a model may be asked."""
@@ -26,7 +27,7 @@ REACH = 4.0
 class Prediction:
     """Knobs that were chosen, what they should cost and how wrong the image should be."""
 
-    knobs: Mapping[str, Any]
+    knobs: Mapping[str, KnobValue]
     cost_s: float
     error: float
 
@@ -36,7 +37,7 @@ class Series:
     """One engine's settings along one work knob, all else held, with the fitted law."""
 
     knob: str
-    held: Mapping[str, Any]
+    held: Mapping[str, KnobValue]
     least: float
     most: float
     start_s: float
@@ -66,14 +67,14 @@ class Series:
         return self.at(math.floor(min(work, REACH * self.most)))
 
 
-def series_of(settings: Sequence[Mapping[str, Any]]) -> list[Series]:
+def series_of(settings: Sequence[TriedSetting]) -> list[Series]:
     """Laws of all series of at least three settings; ``settings`` as in the analysis of one engine."""
     found = []
     for knob in WORK:
-        groups: dict[str, list[Mapping[str, Any]]] = {}
+        groups: dict[str, list[TriedSetting]] = {}
         for each in settings:
-            if knob in each["knobs"]:
-                held = {name: value for name, value in each["knobs"].items() if name != knob}
+            if knob in each.knobs:
+                held = {name: value for name, value in each.knobs.items() if name != knob}
                 groups.setdefault(canonical(held), []).append(each)
         found += [_fitted(knob, group) for group in groups.values() if len(group) >= 3]
     return found
@@ -91,13 +92,13 @@ def best_for_budget(series: Sequence[Series], budget_s: float) -> Prediction | N
     return min(fitting, key=lambda found: found.error, default=None)
 
 
-def _fitted(knob: str, group: Sequence[Mapping[str, Any]]) -> Series:
-    work = np.array([each["knobs"][knob] for each in group], dtype=float)
-    costs = np.array([each["cost_s"]["value"] for each in group])
-    errors = np.array([each["error"]["value"] for each in group])
+def _fitted(knob: str, group: Sequence[TriedSetting]) -> Series:
+    work = np.array([each.amount(knob) for each in group], dtype=float)
+    costs = np.array([each.cost_s.value for each in group])
+    errors = np.array([each.error.value for each in group])
     start_s, per_unit_s = _law(np.ones_like(work), work, costs)
     bias_squared, variance = _law(np.ones_like(work), 1 / work, np.maximum(errors, 1e-12) ** 2)
-    held = {name: value for name, value in group[0]["knobs"].items() if name != knob}
+    held = {name: value for name, value in group[0].knobs.items() if name != knob}
     return Series(knob, held, work.min(), work.max(), start_s, per_unit_s, bias_squared, variance)
 
 

@@ -2,58 +2,56 @@
 
 from __future__ import annotations
 
-import math
 from collections import defaultdict
-from collections.abc import Mapping, Sequence
-from dataclasses import asdict
-from typing import Any
+from collections.abc import Sequence
 
 from vitrail.pipeline.task import canonical
-from vitrail.study.statistics import Interval, Setting, convergence_order
+from vitrail.study.statistics import Estimate, convergence_order
 from vitrail.study.tradeoff.knobs import label_of
+from vitrail.study.tradeoff.records import Order, TriedSetting
 
 WORK = ("photons", "samples")
 """The knobs that buy accuracy by more of the same work: noise falls with their root, bias does not fall."""
 
 
-def orders_of(tried: Sequence[tuple[Mapping[str, Any], Setting]]) -> list[dict[str, Any]]:
+def orders_of(tried: Sequence[TriedSetting]) -> list[Order]:
     """One entry for each series of at least three settings that differ in one work knob alone.
 
     ``error`` and ``spread`` are slopes of their logarithm against that of the knob, with 95 % intervals: -1/2 for
     noise of independent samples, 0 where bias is all that is left.
     """
-    found = []
-    for knob in WORK:
-        for held, series in _series(tried, knob).items():
-            found.append(
-                {
-                    "along": knob,
-                    "held": held,
-                    "settings": len(series),
-                    "error": _slope(series, [setting.error.value for _, setting in series]),
-                    "spread": _slope(series, [setting.standard_deviation for _, setting in series]),
-                    "cost": _slope(series, [setting.cost_s.value for _, setting in series]),
-                }
-            )
-    return found
+    return [
+        Order(
+            along=knob,
+            held=held,
+            settings=len(series),
+            error=_slope(series, [setting.error.value for _, setting in series]),
+            spread=_slope(series, [setting.standard_deviation for _, setting in series]),
+            cost=_slope(series, [setting.cost_s.value for _, setting in series]),
+        )
+        for knob in WORK
+        for held, series in _series(tried, knob).items()
+    ]
 
 
-def _series(tried: Sequence[tuple[Mapping[str, Any], Setting]], knob: str) -> dict[str, list[tuple[float, Setting]]]:
+Along = list[tuple[float, TriedSetting]]
+"""Settings with the amount of work in which they differ."""
+
+
+def _series(tried: Sequence[TriedSetting], knob: str) -> dict[str, Along]:
     """Settings in the order of ``knob``, by the label of all other knobs; series of fewer than three are left out."""
-    groups: dict[str, list[tuple[float, Setting]]] = defaultdict(list)
+    groups: dict[str, Along] = defaultdict(list)
     labels: dict[str, str] = {}
-    for knobs, setting in tried:
-        if knob in knobs:
-            rest = {name: value for name, value in knobs.items() if name != knob}
+    for setting in tried:
+        if knob in setting.knobs:
+            rest = {name: value for name, value in setting.knobs.items() if name != knob}
             labels[canonical(rest)] = label_of(rest)
-            groups[canonical(rest)].append((float(knobs[knob]), setting))
+            groups[canonical(rest)].append((setting.amount(knob), setting))
     return {labels[key]: sorted(series, key=lambda each: each[0]) for key, series in groups.items() if len(series) >= 3}
 
 
-def _slope(series: Sequence[tuple[float, Setting]], values: Sequence[float]) -> dict[str, Any] | None:
+def _slope(series: Along, values: Sequence[float]) -> Estimate | None:
     """The slope with its interval; None where a value is 0 and has no logarithm."""
     if min(values) <= 0:
         return None
-    slope: Interval = convergence_order([work for work, _ in series], values)
-    record = asdict(slope)
-    return record if all(math.isfinite(v) for v in record.values()) else None
+    return convergence_order([work for work, _ in series], values)

@@ -7,17 +7,16 @@ the noise that the half images show.
 
 from __future__ import annotations
 
-import json
 import math
 import tempfile
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from scipy import stats
 
 from vitrail.base.phenomenon import Phenomenon
+from vitrail.base.record import JsonObject, write_record
 from vitrail.engines.engine_build import engine_build
 from vitrail.engines.tracer import Tracer
 from vitrail.geometry.world import World
@@ -33,6 +32,16 @@ from vitrail.plan.settings import Quality, Settings
 from vitrail.scene.load import Loaded
 from vitrail.scene.model import Scene
 from vitrail.scene.print import scene_hash
+from vitrail.study.tradeoff.plan_records import (
+    EVERYTHING,
+    PLANNED,
+    ImageDifference,
+    PlannedScene,
+    Plans,
+    PlanSummary,
+    VariantCosts,
+    Variants,
+)
 from vitrail.study.tradeoff.removal import HOW, without
 
 REPEATS = 5
@@ -49,9 +58,6 @@ FINAL_GATHER_RAYS = 4
 SLOWER = 0.01
 """Chance of calling one of all scenes slower with its plan when none is."""
 
-Variant = str
-EVERYTHING, PLANNED = "everything", "plan"
-
 
 def run_plan_study(
     scenes: Sequence[Loaded],
@@ -59,22 +65,22 @@ def run_plan_study(
     *,
     jobs: int = 1,
     report: Callable[[Progress], None] = lambda progress: None,
-) -> dict[str, Any]:
+) -> Plans:
     """Measure what is missing in ``out``, write plans.json; returns its content."""
     tasks = [_task(loaded) for loaded in scenes]
     by_hash = {scene_hash(loaded.scene): loaded for loaded in scenes}
-    work: dict[str, Work] = {"variants": lambda spec: _measure(by_hash[spec["scene"]], spec)}
+    work: dict[str, Work] = {"variants": lambda spec: _measured(by_hash[spec["scene"]], spec)}
     rows = run_tasks(tasks, TaskLog(out), work, jobs=jobs, report=report)
     return _write(out, analyse_plans(rows))
 
 
-def analyse_plan_folder(out: Path) -> dict[str, Any]:
+def analyse_plan_folder(out: Path) -> Plans:
     """Analyse the stored samples again, without rendering. Raises FileNotFoundError before the study has finished."""
     return _write(out, analyse_plans(read_rows(out)))
 
 
-def _write(out: Path, found: dict[str, Any]) -> dict[str, Any]:
-    (out / "plans.json").write_text(json.dumps(found, indent=1, sort_keys=True, allow_nan=False) + "\n")
+def _write(out: Path, found: Plans) -> Plans:
+    write_record(found, out / "plans.json")
     return found
 
 
@@ -85,14 +91,20 @@ def _task(loaded: Loaded) -> Task:
     return Task("variants", spec)
 
 
-def _measure(loaded: Loaded, spec: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
+def _measured(loaded: Loaded, spec: JsonObject) -> tuple[JsonObject, JsonObject]:
+    """What a task leaves in the journal."""
+    variants, costs = _variants(loaded, spec)
+    return variants.model_dump(mode="json"), costs.model_dump(mode="json")
+
+
+def _variants(loaded: Loaded, spec: JsonObject) -> tuple[Variants, VariantCosts]:
     """Render every variant, and compare each with the plan's image."""
     scene = _small(loaded.scene, int(spec["pixels"]))
     world = World.of_scene(scene)
     plan = analyse(world)
     settings = _settings(scene, plan, spec)
     required = [phenomenon for phenomenon in Phenomenon if plan.requires(phenomenon)]
-    images: dict[Variant, ImageLayers] = {}
+    images: dict[str, ImageLayers] = {}
     costs: dict[str, list[float]] = {}
     for _ in range(int(spec["repeats"])):
         for name, variant in ((PLANNED, plan), (EVERYTHING, everything(world))):
@@ -103,7 +115,8 @@ def _measure(loaded: Loaded, spec: Mapping[str, Any]) -> tuple[dict[str, Any], d
             images[phenomenon.value], seconds = _render(loaded, *without(scene, plan, phenomenon), settings)
             costs.setdefault(phenomenon.value, []).append(seconds)
     differences = {name: _difference(image, images[PLANNED]) for name, image in images.items() if name != PLANNED}
-    return {"required": [phenomenon.value for phenomenon in required], "differences": differences}, {"cpu_s": costs}
+    runs = {name: tuple(seconds) for name, seconds in costs.items()}
+    return Variants(required=tuple(required), differences=differences), VariantCosts(cpu_s=runs)
 
 
 def _small(scene: Scene, pixels: int) -> Scene:
@@ -114,7 +127,7 @@ def _small(scene: Scene, pixels: int) -> Scene:
     return scene.model_copy(update={"image": scene.image.model_copy(update=size)})
 
 
-def _settings(scene: Scene, plan: Plan, spec: Mapping[str, Any]) -> Settings:
+def _settings(scene: Scene, plan: Plan, spec: JsonObject) -> Settings:
     """Those of the plan in every variant: only the phenomena differ."""
     world = World.of_scene(scene)
     settings = settings_for(world, plan, Quality.DRAFT)
@@ -131,22 +144,18 @@ def _render(loaded: Loaded, scene: Scene, plan: Plan, settings: Settings) -> tup
         return read_image(rendering.image_path), float(rendering.record["process"]["cpu_s"])
 
 
-def _difference(image: ImageLayers, planned: ImageLayers) -> dict[str, Any]:
-    """Relative L1 difference, whether all bits are the same, and the difference in units of its own noise.
-
-    ``sigmas`` is the root mean square over pixels of the difference over its standard error (1 if noise alone parts
-    the images), where halves give a noise; null where they give none.
-    """
+def _difference(image: ImageLayers, planned: ImageLayers) -> ImageDifference:
+    """Relative L1 difference, whether all bits are the same, and the difference in units of its own noise."""
     gap = image.radiance - planned.radiance
     total = float(np.abs(planned.radiance).sum())
     variance = _variance(image) + _variance(planned)
     noisy = variance > 0
-    return {
-        "relative_l1": float(np.abs(gap).sum()) / total if total > 0 else float(np.abs(gap).max()),
-        "same_bits": bool(np.array_equal(image.radiance, planned.radiance)),
-        "sigmas": float(np.sqrt((gap[noisy] ** 2).sum() / variance[noisy].sum())) if noisy.any() else None,
-        "outside_noise": float(np.abs(gap[~noisy]).sum()) / total if total > 0 and (~noisy).any() else 0.0,
-    }
+    return ImageDifference(
+        relative_l1=float(np.abs(gap).sum()) / total if total > 0 else float(np.abs(gap).max()),
+        same_bits=bool(np.array_equal(image.radiance, planned.radiance)),
+        sigmas=float(np.sqrt((gap[noisy] ** 2).sum() / variance[noisy].sum())) if noisy.any() else None,
+        outside_noise=float(np.abs(gap[~noisy]).sum()) / total if total > 0 and (~noisy).any() else 0.0,
+    )
 
 
 def _variance(image: ImageLayers) -> np.ndarray:
@@ -158,35 +167,32 @@ def _variance(image: ImageLayers) -> np.ndarray:
 # --- analysis -------------------------------------------------------------------------------------------------------
 
 
-def analyse_plans(rows: Sequence[Row]) -> dict[str, Any]:
+def analyse_plans(rows: Sequence[Row]) -> Plans:
     """The record of all scenes, from their rows alone."""
-    scenes = [_scene_record(row, len(rows)) for row in rows]
-    kept = [scene for scene in scenes if scene["failure"] is None]
-    total = {name: math.fsum(scene["cpu_s"][name] for scene in kept) for name in (EVERYTHING, PLANNED)}
-    summary = {
-        "scenes": len(scenes),
-        "same_bits": sum(scene["differences"][EVERYTHING]["same_bits"] for scene in kept),
-        "slower": [scene["name"] for scene in kept if scene["slower"]],
-        "cpu_s": total,
-    }
-    return {
-        "vitrail_plans": 2,
-        "scenes": scenes,
-        "summary": summary,
-        "removed": {phenomenon.value: words for phenomenon, words in HOW.items()},
-    }
+    scenes = tuple(_planned_scene(row, len(rows)) for row in rows)
+    kept = [scene for scene in scenes if scene.failure is None]
+    summary = PlanSummary(
+        scenes=len(scenes),
+        same_bits=sum(scene.differences[EVERYTHING].same_bits for scene in kept),
+        slower=tuple(scene.name for scene in kept if scene.slower),
+        cpu_s={name: math.fsum(scene.cpu_s[name] for scene in kept) for name in (EVERYTHING, PLANNED)},
+    )
+    return Plans(scenes=scenes, summary=summary, removed=HOW)
 
 
-def _scene_record(row: Row, suite: int) -> dict[str, Any]:
-    runs: Mapping[str, Any] = row.cost.get("cpu_s", {})
-    return {
-        "name": row.spec["name"],
-        "failure": row.failure,
-        "cpu_s": {name: min(seconds) for name, seconds in runs.items()},
-        "runs_cpu_s": {name: runs[name] for name in (EVERYTHING, PLANNED) if name in runs},
-        "slower": bool(runs) and _is_slower(runs[PLANNED], runs[EVERYTHING], SLOWER / suite),
-        **(row.result or {}),
-    }
+def _planned_scene(row: Row, suite: int) -> PlannedScene:
+    """One scene of ``suite``; a failed one has neither times nor differences."""
+    found = Variants.model_validate(row.result or {})
+    runs = VariantCosts.model_validate(row.cost).cpu_s
+    return PlannedScene(
+        name=row.spec["name"],
+        failure=row.failure,
+        cpu_s={name: min(seconds) for name, seconds in runs.items()},
+        runs_cpu_s={name: runs[name] for name in (EVERYTHING, PLANNED) if name in runs},
+        slower=bool(runs) and _is_slower(runs[PLANNED], runs[EVERYTHING], SLOWER / suite),
+        required=found.required,
+        differences=found.differences,
+    )
 
 
 def _is_slower(planned: Sequence[float], whole: Sequence[float], level: float) -> bool:

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import json
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
+from vitrail.base.phenomenon import Phenomenon
+from vitrail.base.record import write_record
 from vitrail.engines.engine_build import engine_build
 from vitrail.pipeline.queue import Progress, run_tasks
 from vitrail.pipeline.task import Row, Task
@@ -19,6 +19,9 @@ from vitrail.scene.print import scene_hash
 from vitrail.study.tradeoff.knobs import ENGINES, EngineName, label_of
 from vitrail.study.tradeoff.measure import Measure
 from vitrail.study.tradeoff.model import Prediction, best_for_budget, best_for_error, series_of
+from vitrail.study.tradeoff.predictions import CostAndError, Predictions, ScoredPrediction
+from vitrail.study.tradeoff.records import Errors, RunCost, Tradeoff
+from vitrail.study.tradeoff.sentence import NAMES
 
 FRESH_SEEDS = (9001, 9002, 9003)
 """Seeds that no setting of the study used: a prediction is scored on runs it has not seen."""
@@ -28,7 +31,7 @@ FRESH_SEEDS = (9001, 9002, 9003)
 class Aim:
     """What is wanted of one phenomenon: an error, or what a budget buys. One of the two is given."""
 
-    phenomenon: str
+    phenomenon: Phenomenon
     error: float | None = None
     budget_s: float | None = None
 
@@ -36,11 +39,11 @@ class Aim:
 def predict(
     loaded: Loaded,
     out: Path,
-    found: Mapping[str, Any],
+    found: Tradeoff,
     measure: Measure,
     aims: Sequence[Aim],
     report: Callable[[Progress], None] = lambda progress: None,
-) -> list[dict[str, Any]]:
+) -> Predictions:
     """Choose settings in both engines for every aim, run them, and write predictions.json into ``out``."""
     chosen = [(aim, engine, _choose(found, aim, engine)) for aim in aims for engine in ENGINES]
     tasks = {
@@ -51,19 +54,21 @@ def predict(
     everything = [task for group in tasks.values() for task in group]
     rows = run_tasks(everything, TaskLog(out / "predictions"), {"setting": measure.setting}, report=report)
     by_key = {row.key: row for row in rows}
-    records = [
-        _record(aim, engine, prediction, [by_key[task.key] for task in tasks.get((aim, engine), ())])
-        for aim, engine, prediction in chosen
-    ]
-    (out / "predictions.json").write_text(json.dumps(records, indent=1, sort_keys=True, allow_nan=False) + "\n")
-    return records
+    scored = Predictions(
+        tuple(
+            _scored(aim, engine, prediction, [by_key[task.key] for task in tasks.get((aim, engine), ())])
+            for aim, engine, prediction in chosen
+        )
+    )
+    write_record(scored, out / "predictions.json")
+    return scored
 
 
-def _choose(found: Mapping[str, Any], aim: Aim, engine: EngineName) -> Prediction | None:
-    record = found["phenomena"][aim.phenomenon]["engines"].get(engine)
-    if record is None:
+def _choose(found: Tradeoff, aim: Aim, engine: EngineName) -> Prediction | None:
+    front = found.phenomena[aim.phenomenon].engines.get(engine)
+    if front is None:
         return None
-    laws = series_of(record["settings"])
+    laws = series_of(front.settings)
     return best_for_error(laws, aim.error) if aim.error is not None else best_for_budget(laws, aim.budget_s or 0.0)
 
 
@@ -75,43 +80,39 @@ def _tasks(loaded: Loaded, engine: EngineName, prediction: Prediction) -> list[T
     return [Task("setting", {**spec, "settings": settings, "wishes": wishes, "seed": seed}) for seed in FRESH_SEEDS]
 
 
-def _record(aim: Aim, engine: EngineName, prediction: Prediction | None, rows: Sequence[Row]) -> dict[str, Any]:
+def _scored(aim: Aim, engine: EngineName, prediction: Prediction | None, rows: Sequence[Row]) -> ScoredPrediction:
     """The aim, the prediction, and what the fresh runs came to."""
-    record: dict[str, Any] = {
-        "phenomenon": aim.phenomenon,
-        "target_error": aim.error,
-        "budget_s": aim.budget_s,
-        "engine": engine,
-        "knobs": None,
-        "label": "out of reach",
-        "predicted": None,
-        "measured": None,
-    }
     if prediction is None:
-        return record
-    record |= {"knobs": dict(prediction.knobs), "label": label_of(prediction.knobs)}
-    record["predicted"] = {"cost_s": prediction.cost_s, "error": prediction.error}
-    good = [(row.result, row.cost) for row in rows if row.result is not None]
-    errors = [e["error"] for result, _ in good for e in result["errors"] if e["phenomenon"] == aim.phenomenon]
-    if errors:
-        rms = math.sqrt(math.fsum(error**2 for error in errors) / len(errors))
-        record["measured"] = {"cost_s": min(cost["cpu_s"] for _, cost in good), "error": rms}
-    return record
-
-
-def prediction_line(record: Mapping[str, Any]) -> str:
-    """One prediction with its score, in words."""
-    wish = (
-        f"{100 * record['target_error']:g} % error"
-        if record["target_error"] is not None
-        else f"{record['budget_s']:g} CPU s"
+        return ScoredPrediction(phenomenon=aim.phenomenon, target_error=aim.error, budget_s=aim.budget_s, engine=engine)
+    return ScoredPrediction(
+        phenomenon=aim.phenomenon,
+        target_error=aim.error,
+        budget_s=aim.budget_s,
+        engine=engine,
+        knobs=dict(prediction.knobs),
+        label=label_of(prediction.knobs),
+        predicted=CostAndError(cost_s=prediction.cost_s, error=prediction.error),
+        measured=_measured(aim.phenomenon, [row for row in rows if row.result is not None]),
     )
-    name = {"tracer": "the tracer", "povray": "POV-Ray"}[record["engine"]]
-    start = f"{record['phenomenon'].replace('_', ' ')}, {wish}, {name}: {record['label']}"
-    if record["measured"] is None:
+
+
+def _measured(phenomenon: Phenomenon, rows: Sequence[Row]) -> CostAndError | None:
+    """The root mean square error of the runs and the least of their costs; None if none measured the phenomenon."""
+    errors = [entry.error for row in rows for entry in Errors.model_validate(row.result).of(phenomenon)]
+    if not errors:
+        return None
+    rms = math.sqrt(math.fsum(error**2 for error in errors) / len(errors))
+    return CostAndError(cost_s=min(RunCost.model_validate(row.cost).cpu_s for row in rows), error=rms)
+
+
+def prediction_line(scored: ScoredPrediction) -> str:
+    """One prediction with its score, in words."""
+    wish = f"{100 * scored.target_error:g} % error" if scored.target_error is not None else f"{scored.budget_s:g} CPU s"
+    start = f"{scored.phenomenon.replace('_', ' ')}, {wish}, {NAMES[scored.engine]}: {scored.label}"
+    said, was = scored.predicted, scored.measured
+    if said is None or was is None:
         return start
-    said, was = record["predicted"], record["measured"]
     return (
-        f"{start}: predicted {100 * said['error']:.2g} % in {said['cost_s']:.2g} CPU s,"
-        f" measured {100 * was['error']:.2g} % in {was['cost_s']:.2g} CPU s"
+        f"{start}: predicted {100 * said.error:.2g} % in {said.cost_s:.2g} CPU s,"
+        f" measured {100 * was.error:.2g} % in {was.cost_s:.2g} CPU s"
     )

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import json
 import threading
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
+from vitrail.base.record import write_record
 from vitrail.engines.engine_build import engine_build
 from vitrail.geometry.world import World
 from vitrail.judge.references import read_scene_truth, references_folder
@@ -23,6 +22,7 @@ from vitrail.study.tradeoff.analysis import analyse_rows
 from vitrail.study.tradeoff.converged import Converged
 from vitrail.study.tradeoff.knobs import Extent, matrix
 from vitrail.study.tradeoff.measure import Measure
+from vitrail.study.tradeoff.records import Tradeoff
 
 
 class NothingObserved(Exception):
@@ -37,7 +37,7 @@ def run_tradeoff(
     jobs: int = 1,
     references: Path | None = None,
     report: Callable[[Progress], None] = lambda progress: None,
-) -> dict[str, Any]:
+) -> Tradeoff:
     """Measure what is missing in ``out``, analyse, write tradeoff.json; returns its content. Raises NothingObserved."""
     tasks = tradeoff_tasks(loaded, extent)
     measure, converged = measure_of(loaded, out, extent, references)
@@ -88,8 +88,8 @@ def _against(task: Task, reference: str) -> Task:
     return Task(task.kind, {**task.spec, "reference": reference})
 
 
-def analyse_folder(loaded: Loaded, out: Path) -> dict[str, Any]:
+def analyse_folder(loaded: Loaded, out: Path) -> Tradeoff:
     """Analyse the stored samples again, without rendering."""
-    found = {"scene": loaded.path.stem, "title": loaded.scene.title, **analyse_rows(read_rows(out))}
-    (out / "tradeoff.json").write_text(json.dumps(found, indent=1, sort_keys=True, allow_nan=False) + "\n")
+    found = analyse_rows(read_rows(out), loaded.path.stem, loaded.scene.title)
+    write_record(found, out / "tradeoff.json")
     return found

@@ -3,21 +3,29 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
 
-NAMES = {"tracer": "the tracer", "povray": "POV-Ray"}
+from vitrail.study.tradeoff.knobs import EngineName
+from vitrail.study.tradeoff.records import Price
+
+NAMES: dict[EngineName, str] = {"tracer": "the tracer", "povray": "POV-Ray"}
 
 
-def sentence(phenomenon: str, engines: Mapping[str, Any], targets: tuple[float, ...], own_error: float | None) -> str:
+def sentence(
+    phenomenon: str,
+    prices: Mapping[EngineName, Mapping[str, Price]],
+    targets: tuple[float, ...],
+    own_error: float | None,
+) -> str:
     """What each target costs in each engine; *at most* where the cheapest setting tried is good enough already.
 
+    ``prices`` are by engine and by target, as in ``EngineFront.price_s``.
     ``own_error`` is that of the converged reference, None where a closed form is the truth.
     """
     errors = _listed([f"{100 * target:g} %" for target in targets])
     parts = [
-        f"{NAMES[engine]} {_listed([_price(engines[engine], target) for target in targets])}"
+        f"{NAMES[engine]} {_listed([_words(prices[engine][str(target)]) for target in targets])}"
         for engine in NAMES
-        if engine in engines
+        if engine in prices
     ]
     against = "" if own_error is None else f", against a rendering that is itself known to {_percent(own_error)}"
     return f"An error of {errors} in the {phenomenon.replace('_', ' ')} costs {'; '.join(parts)}{against}."
@@ -30,17 +38,12 @@ def _listed(parts: list[str]) -> str:
     return f"{', '.join(parts[:-1])} and {parts[-1]}"
 
 
-def _price(engine: Mapping[str, Any], target: float) -> str:
-    price = engine["price_s"][str(target)]
-    match price["status"]:
-        case "at_most":
-            return f"at most {seconds(price['cpu_s'])}"
-        case "reached":
-            return seconds(price["cpu_s"])
-        case "below_reference":
-            return "not known"
-        case _:
-            return "not reached"
+def _words(price: Price) -> str:
+    if price.status == "below_reference":
+        return "not known"
+    if price.cpu_s is None:
+        return "not reached"
+    return f"{'at most ' if price.status == 'at_most' else ''}{seconds(price.cpu_s)}"
 
 
 def seconds(value: float) -> str:

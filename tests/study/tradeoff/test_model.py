@@ -6,17 +6,32 @@ import math
 
 import pytest
 
+from vitrail.study.statistics import Estimate
 from vitrail.study.tradeoff.model import best_for_budget, best_for_error, series_of
+from vitrail.study.tradeoff.records import TriedSetting
 
 
-def _settings(radius: float, bias: float, noise: float, start_s: float = 0.1, per_photon_s: float = 1e-6) -> list[dict]:
+def _known(value: float) -> Estimate:
+    return Estimate(value=value, low=value, high=value)
+
+
+def _settings(
+    radius: float, bias: float, noise: float, start_s: float = 0.1, per_photon_s: float = 1e-6
+) -> list[TriedSetting]:
     """Samples of cost = start + photons * per_photon_s and error^2 = bias^2 + noise^2 / photons."""
     return [
-        {
-            "knobs": {"photons": n, "gather_radius_m": radius},
-            "cost_s": {"value": start_s + per_photon_s * n},
-            "error": {"value": math.hypot(bias, noise / math.sqrt(n))},
-        }
+        TriedSetting(
+            label=f"{n} photons",
+            knobs={"photons": n, "gather_radius_m": radius},
+            cost_s=_known(start_s + per_photon_s * n),
+            error=_known(math.hypot(bias, noise / math.sqrt(n))),
+            bias=bias,
+            standard_deviation=noise,
+            on_front=False,
+            at_knee=False,
+            peak_memory_bytes=None,
+            runs=1,
+        )
         for n in (10_000, 100_000, 1_000_000)
     ]
 

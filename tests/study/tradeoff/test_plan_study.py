@@ -2,22 +2,23 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 
 import pytest
 
 from vitrail.base.phenomenon import Phenomenon
+from vitrail.base.record import read_record
 from vitrail.geometry.world import World
 from vitrail.pipeline.task import Row
 from vitrail.pipeline.task_log import read_rows
 from vitrail.plan.analyse import analyse
 from vitrail.report.plans_page import write_plans_page
 from vitrail.scene.load import load
+from vitrail.study.tradeoff.plan_records import Plans
 from vitrail.study.tradeoff.plan_study import analyse_plans, run_plan_study
 from vitrail.study.tradeoff.removal import HOW, without
 
-SCENES = Path(__file__).resolve().parents[2] / "scenes"
+SCENES = Path(__file__).resolve().parents[3] / "scenes"
 
 
 def _row(name: str, planned: list[float], whole: list[float]) -> Row:
@@ -36,24 +37,22 @@ def _row(name: str, planned: list[float], whole: list[float]) -> Row:
 )
 def test_slower_is_what_scatter_cannot_explain(planned: list[float], whole: list[float], is_slower: bool) -> None:
     found = analyse_plans([_row("a", planned, whole)])
-    assert found["scenes"][0]["slower"] is is_slower
-    assert found["summary"]["slower"] == (["a"] if is_slower else [])
-    assert found["summary"]["cpu_s"] == {"plan": min(planned), "everything": min(whole)}
+    assert found.scenes[0].slower is is_slower
+    assert found.summary.slower == (("a",) if is_slower else ())
+    assert found.summary.cpu_s == {"plan": min(planned), "everything": min(whole)}
 
 
 def test_the_measured_table_of_two_scenes(tmp_path: Path) -> None:
     loaded = [load(SCENES / "calibration" / f"{name}.yaml") for name in ("tinted_pane_projected", "mirror")]
     found = run_plan_study(loaded, tmp_path, jobs=2)
-    pane, mirror = found["scenes"]
-    assert all(scene["differences"]["everything"]["same_bits"] for scene in (pane, mirror))
+    pane, mirror = found.scenes
+    assert all(scene.differences["everything"].same_bits for scene in (pane, mirror))
     # Grey glass in place of t^2 = 0.81, 0.25, 0.04: with t = 1.6 / 3 the channels change by 0.526, 0.034, 0.244 of 1.1.
-    assert pane["differences"]["coloured_transmission"]["relative_l1"] == pytest.approx(0.7313, abs=2e-3)
+    assert pane.differences["coloured_transmission"].relative_l1 == pytest.approx(0.7313, abs=2e-3)
     # All the light on the floor under the pane has come through it; all that a mirror shows is mirrored.
-    assert pane["differences"]["caustic"]["relative_l1"] == pytest.approx(1.0)
-    assert mirror["differences"]["reflection"]["relative_l1"] == pytest.approx(1.0)
-    assert json.loads(json.dumps(analyse_plans(read_rows(tmp_path)))) == json.loads(
-        (tmp_path / "plans.json").read_text()
-    )
+    assert pane.differences["caustic"].relative_l1 == pytest.approx(1.0)
+    assert mirror.differences["reflection"].relative_l1 == pytest.approx(1.0)
+    assert analyse_plans(read_rows(tmp_path)) == read_record(Plans, tmp_path / "plans.json") == found
     assert "same bits" in write_plans_page(tmp_path, found).read_text()
 
 

@@ -15,7 +15,7 @@ from vitrail.plan.analyse import analyse
 from vitrail.scene.load import load
 from vitrail.study.tradeoff.knobs import matrix
 
-SCENES = Path(__file__).resolve().parents[2] / "scenes" / "calibration"
+SCENES = Path(__file__).resolve().parents[3] / "scenes" / "calibration"
 
 
 @pytest.fixture(scope="module")

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 
 import pytest
 
+from vitrail.base.record import read_record
 from vitrail.report.atlas_page import write_atlas_page
 from vitrail.study.extremes.atlas import AXES, run_atlas
+from vitrail.study.extremes.records import Atlas
 
 KNOWN = {
     # axis: (low, high) of the first failing value in POV-Ray, from the notes [P 2.4, 2.7, 7] with the bisection's 5 %
@@ -21,36 +22,36 @@ KNOWN = {
 
 
 @pytest.fixture(scope="module")
-def atlas(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, dict]:
+def atlas(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Atlas]:
     out = tmp_path_factory.mktemp("atlas")
     return out, run_atlas(out, jobs=2, axes=[axis for axis in AXES if axis.name in KNOWN])
 
 
 @pytest.mark.parametrize("name", sorted(KNOWN))
-def test_povray_fails_where_our_notes_say(atlas: tuple[Path, dict], name: str) -> None:
-    record = next(axis for axis in atlas[1]["axes"] if axis["name"] == name)
+def test_povray_fails_where_our_notes_say(atlas: tuple[Path, Atlas], name: str) -> None:
+    record = next(axis for axis in atlas[1].axes if axis.name == name)
     low, high = KNOWN[name]
-    assert low <= record["engines"]["povray"]["first_failing"] <= high
+    assert low <= record.engines["povray"].first_failing <= high
 
 
 @pytest.mark.parametrize("name", sorted(KNOWN))
-def test_the_tracer_holds_or_says_why_not(atlas: tuple[Path, dict], name: str) -> None:
-    found = next(axis for axis in atlas[1]["axes"] if axis["name"] == name)["engines"]["tracer"]
-    assert found["failure"] is None
-    assert found["first_failing"] is None or found["limit"]
+def test_the_tracer_holds_or_says_why_not(atlas: tuple[Path, Atlas], name: str) -> None:
+    found = next(axis for axis in atlas[1].axes if axis.name == name).engines["tracer"]
+    assert found.failure is None
+    assert found.first_failing is None or found.limit
 
 
-def test_each_failure_comes_with_its_scene_in_both_languages(atlas: tuple[Path, dict]) -> None:
+def test_each_failure_comes_with_its_scene_in_both_languages(atlas: tuple[Path, Atlas]) -> None:
     out, found = atlas
-    for axis in found["axes"]:
-        for engine, record in axis["engines"].items():
-            if record["first_failing"] is not None:
-                assert (out / "scenes" / f"{axis['name']}-{engine}.yaml").read_text().startswith("vitrail: 1")
-                assert "#version 3.7" in (out / "scenes" / f"{axis['name']}-{engine}.pov").read_text()
+    for axis in found.axes:
+        for engine, record in axis.engines.items():
+            if record.first_failing is not None:
+                assert (out / "scenes" / f"{axis.name}-{engine}.yaml").read_text().startswith("vitrail: 1")
+                assert "#version 3.7" in (out / "scenes" / f"{axis.name}-{engine}.pov").read_text()
 
 
-def test_the_page_shows_every_axis_and_says_nothing_else(atlas: tuple[Path, dict]) -> None:
+def test_the_page_shows_every_axis_and_says_nothing_else(atlas: tuple[Path, Atlas]) -> None:
     out, found = atlas
     page = write_atlas_page(out, found).read_text()
-    assert json.loads((out / "atlas.json").read_text()) == json.loads(json.dumps(found))
+    assert read_record(Atlas, out / "atlas.json") == found
     assert all(f'id="{name}"' in page for name in KNOWN)
