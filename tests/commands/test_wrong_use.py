@@ -110,7 +110,7 @@ def test_a_disk_that_is_full_is_told_and_is_no_defect() -> None:
 
 def test_an_image_that_cannot_be_written_is_told_and_is_no_defect(tmp_path: Path) -> None:
     with pytest.raises(typer.Exit) as ended, exit_codes():
-        write_sky(tmp_path / "no folder" / "sky.exr", np.ones((2, 4, 3)))
+        write_sky(tmp_path / "sky.exr", np.full((2, 4, 3), 1e6))
     assert ended.value.exit_code == 2
 
 

@@ -1,6 +1,6 @@
-"""One way to write JSON: sorted keys, shortest floats that read back the same, one newline at the end.
+"""JSON that is equal text whenever the value is equal: it may be hashed, kept as a key, and compared line by line.
 
-Vectors and matrices stand on one line each, so that a changed scene gives a small difference between two files.
+Keys are sorted, floats are the shortest text that reads back the same, NaN and infinity are refused.
 """
 
 from __future__ import annotations
@@ -12,8 +12,16 @@ from typing import Any
 
 
 def canonical_json(value: Any) -> str:
-    """Text that is equal whenever the value is; raises ValueError for NaN and infinity."""
+    """The text of a file: each vector or matrix on one line, so that a changed scene changes few lines.
+
+    Raises ValueError for NaN and infinity.
+    """
     return _written(value, "\n") + "\n"
+
+
+def json_line(value: Any) -> str:
+    """One line for a journal or a key, in ASCII, without the newline. Raises ValueError for NaN and infinity."""
+    return json.dumps(value, sort_keys=True, separators=(",", ":"), allow_nan=False)
 
 
 def _written(value: Any, newline: str) -> str:

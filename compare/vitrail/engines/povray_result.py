@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import math
-import os
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
@@ -12,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from vitrail.base.canonical_json import canonical_json
+from vitrail.base.whole_file import whole_file, write_whole
 from vitrail.engines.base import Rendering
 from vitrail.engines.child import Finished
 from vitrail.engines.povray_output import Statistics
@@ -62,11 +62,11 @@ def write_result(
     record = _record(version, lowered, outcomes, threads, wall_s)
     for run in lowered.runs:
         for name, text in run.texts.items():
-            _write_text(out_dir / "povray" / name, text)
+            write_whole(out_dir / "povray" / name, text)
         if run.sky is not None:
             write_sky(out_dir / "povray" / run.sky.name, run.sky.pixels)
     image = _write_image(out_dir / "povray.exr", lowered, outcomes, version)
-    _write_text(out_dir / "povray.run.json", canonical_json(record))
+    write_whole(out_dir / "povray.run.json", canonical_json(record))
     return Rendering(image, record)
 
 
@@ -90,9 +90,8 @@ def _write_image(path: Path, lowered: PovrayScene, outcomes: list[Outcome], vers
         "vitrail:engine": f"POV-Ray {version}",
         "vitrail:settings": json.dumps(_settings(lowered, outcomes), sort_keys=True),
     }
-    partial = path.with_name(f".{path.name}.partial.exr")
-    write_image(partial, (a + b) / 2, half_a=a, half_b=b, variance=(a - b) ** 2 / 4, metadata=metadata)
-    os.replace(partial, path)
+    with whole_file(path) as partial:
+        write_image(partial, (a + b) / 2, half_a=a, half_b=b, variance=(a - b) ** 2 / 4, metadata=metadata)
     return path
 
 
@@ -197,16 +196,5 @@ def _warnings(outcomes: list[Outcome]) -> list[str]:
 def write_sky(path: Path, pixels: np.ndarray) -> None:
     """Write a sky whole, and once for all runs that see it: its name says the content. Raises ImageError."""
     if not path.is_file():
-        partial = path.with_name(f".{path.name}.partial.exr")
-        try:
+        with whole_file(path) as partial:
             write_image(partial, pixels, pixel_type="half")
-            os.replace(partial, path)
-        finally:
-            partial.unlink(missing_ok=True)
-
-
-def _write_text(path: Path, text: str) -> None:
-    path.parent.mkdir(parents=True, exist_ok=True)
-    partial = path.with_name(f".{path.name}.partial")
-    partial.write_text(text, encoding="utf-8")
-    os.replace(partial, path)

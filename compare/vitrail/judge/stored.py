@@ -16,6 +16,7 @@ from typing import Any
 
 import numpy as np
 
+from vitrail.base.whole_file import whole_file, write_whole
 from vitrail.images.exr import ImageError, ImageLayers, read_image, write_image
 from vitrail.judge.reference_files import ReferencesError, read_yaml
 
@@ -83,21 +84,18 @@ def write_stored(folder: Path, scene_name: str, image: ImageLayers, provenance: 
     ``provenance.content`` is computed here from the pixels as they are stored.
     """
     place = folder / scene_name
-    place.mkdir(parents=True, exist_ok=True)
-    partial = place / f".{IMAGE}.partial.exr"
-    write_image(
-        partial,
-        image.radiance,
-        half_a=image.half_a,
-        half_b=image.half_b,
-        metadata={key: image.metadata[key] for key in sorted(image.metadata) if key.startswith("vitrail:")},
-        pixel_type="half",
-    )
-    content = content_hash(read_image(partial))
-    text = "".join(f"{key}: {json.dumps(value)}\n" for key, value in _ordered(provenance, content))
-    (place / f".{PROVENANCE}.partial").write_text(text, encoding="utf-8")
-    (place / f".{PROVENANCE}.partial").replace(place / PROVENANCE)
-    partial.replace(place / IMAGE)
+    with whole_file(place / IMAGE) as partial:
+        write_image(
+            partial,
+            image.radiance,
+            half_a=image.half_a,
+            half_b=image.half_b,
+            metadata={key: image.metadata[key] for key in sorted(image.metadata) if key.startswith("vitrail:")},
+            pixel_type="half",
+        )
+        content = content_hash(read_image(partial))
+        text = "".join(f"{key}: {json.dumps(value)}\n" for key, value in _ordered(provenance, content))
+        write_whole(place / PROVENANCE, text)
     return place / IMAGE
 
 

@@ -8,10 +8,10 @@ files, so that *the study's results are reproducible* is a statement about whole
 from __future__ import annotations
 
 import hashlib
-import json
 from dataclasses import dataclass, field
 from typing import Any
 
+from vitrail.base.canonical_json import json_line
 from vitrail.base.record import JsonObject
 
 TIMEOUT_S = 900.0
@@ -28,7 +28,7 @@ class Task:
     @property
     def key(self) -> str:
         """Content hash: equal tasks have equal keys, on any machine and in any session."""
-        return hashlib.sha256(canonical({"kind": self.kind, "spec": dict(self.spec)}).encode()).hexdigest()[:24]
+        return hashlib.sha256(json_line({"kind": self.kind, "spec": dict(self.spec)}).encode()).hexdigest()[:24]
 
 
 @dataclass(frozen=True)
@@ -45,13 +45,8 @@ class Row:
     def result_line(self) -> str:
         """The reproducible part as one JSON line."""
         record = {"key": self.key, "kind": self.kind, "spec": dict(self.spec)}
-        return canonical(record | ({"failure": self.failure} if self.failure is not None else {"result": self.result}))
+        return json_line(record | ({"failure": self.failure} if self.failure is not None else {"result": self.result}))
 
     def cost_line(self) -> str:
         """The measured part as one JSON line."""
-        return canonical({"key": self.key, "cost": dict(self.cost)})
-
-
-def canonical(value: Any) -> str:
-    """JSON with sorted keys and shortest round-trip numbers; NaN and infinity are refused."""
-    return json.dumps(value, sort_keys=True, separators=(",", ":"), allow_nan=False)
+        return json_line({"key": self.key, "cost": dict(self.cost)})

@@ -12,7 +12,9 @@ import os
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-from vitrail.pipeline.task import Row, Task, canonical
+from vitrail.base.canonical_json import json_line
+from vitrail.base.whole_file import write_whole
+from vitrail.pipeline.task import Row, Task
 
 
 class TaskLog:
@@ -37,7 +39,7 @@ class TaskLog:
 
     def append(self, row: Row) -> None:
         """Remember a finished task durably before anything else happens."""
-        line = canonical({"result": row.result_line(), "cost": row.cost_line()})
+        line = json_line({"result": row.result_line(), "cost": row.cost_line()})
         with self.journal.open("ab") as file:
             file.write(line.encode() + b"\n")
             file.flush()
@@ -47,8 +49,8 @@ class TaskLog:
     def finish(self, tasks: Sequence[Task]) -> list[Row]:
         """Write the study's files in the order of its plan, and return the rows in that order."""
         ordered = [self.rows[key] for key in dict.fromkeys(task.key for task in tasks)]
-        _replace(self.out / "samples.jsonl", "".join(row.result_line() + "\n" for row in ordered))
-        _replace(self.out / "costs.jsonl", "".join(row.cost_line() + "\n" for row in ordered))
+        write_whole(self.out / "samples.jsonl", "".join(row.result_line() + "\n" for row in ordered))
+        write_whole(self.out / "costs.jsonl", "".join(row.cost_line() + "\n" for row in ordered))
         return ordered
 
     def _read_journal(self) -> None:
@@ -85,9 +87,3 @@ def _lines(path: Path) -> list[dict]:
 def _row_of(record: dict) -> Row:
     result, cost = json.loads(record["result"]), json.loads(record["cost"])
     return Row(result["key"], result["kind"], result["spec"], result.get("result"), result.get("failure"), cost["cost"])
-
-
-def _replace(path: Path, text: str) -> None:
-    temporary = path.with_suffix(".new")
-    temporary.write_text(text)
-    temporary.replace(path)

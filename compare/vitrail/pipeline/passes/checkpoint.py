@@ -1,14 +1,11 @@
 """What is kept beside the image after every pass, so that another sitting goes on to the same bits.
 
-One uncompressed .npz file: the sums as they are in memory, and a header in JSON. It is written beside its place,
-brought to the disk and moved there, so that a reader meets the old one or the new one and never half of either.
+One uncompressed .npz file: the sums as they are in memory, and a header in JSON.
 """
 
 from __future__ import annotations
 
 import json
-import os
-import tempfile
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
@@ -17,6 +14,7 @@ from zipfile import BadZipFile
 
 import numpy as np
 
+from vitrail.base.whole_file import whole_file
 from vitrail.judge.half_error import Scatter
 from vitrail.pipeline.passes.sums import Sums
 
@@ -73,17 +71,8 @@ def write_checkpoint(path: Path, state: Checkpoint) -> None:
     }
     arrays = {str(place): array for place, array in enumerate(state.sums.arrays.values())}
     arrays["header"] = np.frombuffer(json.dumps(header).encode(), np.uint8)
-    handle, unfinished = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
-    try:
-        with os.fdopen(handle, "wb") as file:
-            np.savez(file, **arrays)  # type: ignore[arg-type]  # its stub takes any name for allow_pickle
-            file.flush()
-            os.fsync(file.fileno())
-        os.chmod(unfinished, 0o644)
-        os.replace(unfinished, path)
-    except BaseException:
-        os.unlink(unfinished)
-        raise
+    with whole_file(path, durable=True) as partial:
+        np.savez(partial, **arrays)  # type: ignore[arg-type]  # its stub takes any name for allow_pickle
 
 
 def read_checkpoint(path: Path, wanted: Identity) -> Checkpoint:

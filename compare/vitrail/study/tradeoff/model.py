@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy import optimize
 
-from vitrail.pipeline.task import canonical
+from vitrail.base.canonical_json import json_line
 from vitrail.study.tradeoff.knobs import KnobValue
 from vitrail.study.tradeoff.orders import WORK
 from vitrail.study.tradeoff.records import TriedSetting
@@ -75,7 +75,7 @@ def series_of(settings: Sequence[TriedSetting]) -> list[Series]:
         for each in settings:
             if knob in each.knobs:
                 held = {name: value for name, value in each.knobs.items() if name != knob}
-                groups.setdefault(canonical(held), []).append(each)
+                groups.setdefault(json_line(held), []).append(each)
         found += [_fitted(knob, group) for group in groups.values() if len(group) >= 3]
     return found
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Sequence
 
-from vitrail.pipeline.task import canonical
+from vitrail.base.canonical_json import json_line
 from vitrail.study.statistics import Estimate, convergence_order
 from vitrail.study.tradeoff.knobs import label_of
 from vitrail.study.tradeoff.records import Order, TriedSetting
@@ -45,8 +45,8 @@ def _series(tried: Sequence[TriedSetting], knob: str) -> dict[str, Along]:
     for setting in tried:
         if knob in setting.knobs:
             rest = {name: value for name, value in setting.knobs.items() if name != knob}
-            labels[canonical(rest)] = label_of(rest)
-            groups[canonical(rest)].append((setting.amount(knob), setting))
+            labels[json_line(rest)] = label_of(rest)
+            groups[json_line(rest)].append((setting.amount(knob), setting))
     return {labels[key]: sorted(series, key=lambda each: each[0]) for key, series in groups.items() if len(series) >= 3}
 
 
