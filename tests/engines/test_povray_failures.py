@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 from tests.lower.povray.real_povray import lowered, rendered, scene
+from vitrail.base.changed import changed
 from vitrail.engines import povray as module
 from vitrail.engines.base import EngineFailure
 from vitrail.engines.child import Finished
@@ -159,7 +160,7 @@ def test_a_sky_that_cannot_be_written_is_told(fake: Fake, tmp_path: Path) -> Non
 
 def test_a_povray_without_memory_says_so(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """The real one, allowed less than it needs to start."""
-    starved = replace(card(), settings=replace(card().settings, memory_limit_mb=1))
+    starved = replace(card(), settings=changed(card().settings, memory_limit_mb=1))
     monkeypatch.setattr(module, "EXTRA_MEMORY_BYTES", 1 << 20)
     with pytest.raises(EngineFailure, match="povray: it"):
         Povray().render(starved, tmp_path / "out")

@@ -53,13 +53,10 @@ def scene_files(paths: Sequence[Path]) -> list[Path]:
 
 def overrides_of(loaded: Sequence[Loaded], quality: Quality, assignments: Sequence[str]) -> dict[str, object]:
     """``--set KEY=VALUE`` as a mapping, tried on every scene before anything is rendered."""
-    from vitrail.commands.settings_options import parse_settings
-    from vitrail.geometry.world import World
-    from vitrail.plan.analyse import analyse
+    from vitrail.commands.settings_options import prepared
 
     for each in loaded:
-        world = World.of(each)
-        parse_settings(world, analyse(world), quality, list(assignments))
+        prepared(each, quality, list(assignments))
     parts = [assignment.partition("=") for assignment in assignments]
     return {key.strip(): value.strip() for key, _, value in parts}
 

@@ -2,25 +2,20 @@
 
 from __future__ import annotations
 
-from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, assert_never
 
 import typer
 
+from vitrail.base.engine_name import EngineName
 from vitrail.base.whole_file import write_whole
 from vitrail.commands.exit_code import exit_codes
 from vitrail.commands.output import print_json
-from vitrail.commands.settings_options import QUALITY, SETTINGS, parse_settings
+from vitrail.commands.settings_options import QUALITY, SETTINGS, prepared
 from vitrail.plan.settings import Quality
 
 if TYPE_CHECKING:
     import numpy as np
-
-
-class EngineName(StrEnum):
-    TRACER = "tracer"
-    POVRAY = "povray"
 
 
 def emit(
@@ -48,20 +43,13 @@ def emitted(engine: EngineName, path: Path, quality: Quality, assignments: list[
     """File name to text, or to the pixels of a sky; all made before the first is written."""
     from vitrail.base.canonical_json import canonical_json
     from vitrail.commands.scene_file import read_scene
-    from vitrail.geometry.world import World
-    from vitrail.lower.tracer import lower_tracer
-    from vitrail.plan.analyse import analyse
 
-    world = World.of(read_scene(path))
-    found = analyse(world)
-    chosen = parse_settings(world, found, quality, assignments)
+    job = prepared(read_scene(path), quality, assignments)
     match engine:
         case EngineName.TRACER:
-            return {"scene.json": canonical_json(lower_tracer(world, found, chosen))}
+            return {"scene.json": canonical_json(job.lowered(engine))}
         case EngineName.POVRAY:
-            from vitrail.lower.povray import lower_povray
-
-            translated = lower_povray(world, found, chosen)
+            translated = job.lowered(engine)
             certificate = canonical_json(translated.certificate.as_records())
             scenes = {name: text for run in translated.runs for name, text in run.texts.items()}
             skies = {run.sky.name: run.sky.pixels for run in translated.runs if run.sky is not None}

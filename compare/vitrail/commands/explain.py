@@ -7,9 +7,10 @@ from typing import TYPE_CHECKING, Any
 
 import typer
 
+from vitrail.base.engine_name import EngineName
 from vitrail.commands.exit_code import exit_codes
 from vitrail.commands.output import print_json, wide_console
-from vitrail.commands.settings_options import QUALITY, SETTINGS, parse_settings
+from vitrail.commands.settings_options import QUALITY, SETTINGS, prepared
 from vitrail.plan.settings import Quality
 
 if TYPE_CHECKING:
@@ -24,15 +25,9 @@ def explain(
 ) -> None:
     with exit_codes():
         from vitrail.commands.scene_file import read_scene
-        from vitrail.geometry.world import World
-        from vitrail.lower.povray import lower_povray
-        from vitrail.plan.analyse import analyse
 
         loaded = read_scene(scene)
-        world = World.of(loaded)
-        found = analyse(world)
-        chosen = parse_settings(world, found, quality, settings)
-        certificate = lower_povray(world, found, chosen).certificate
+        certificate = prepared(loaded, quality, settings).lowered(EngineName.POVRAY).certificate
     if as_json:
         print_json({"scene": str(scene), "certificate": certificate.as_records()})
     else:

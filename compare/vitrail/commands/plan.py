@@ -22,14 +22,11 @@ def plan(
 ) -> None:
     with exit_codes():
         from vitrail.commands.scene_file import read_scene
-        from vitrail.geometry.world import World
-        from vitrail.plan.analyse import analyse
-        from vitrail.plan.budget import settings_for
+        from vitrail.pipeline.job import prepare
 
         loaded = read_scene(scene)
-        world = World.of(loaded)
-        found = analyse(world)
-        settings = settings_for(world, found)
+        job = prepare(loaded)
+        found, settings = job.plan, job.settings
     for warning in found.warnings:
         typer.echo(f"warning: {warning}", err=True)
     if as_json:

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import os
-import tempfile
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, assert_never
+from typing import TYPE_CHECKING, Any
 
 import typer
 
-from vitrail.commands.emit import EngineName
+from vitrail.base.engine_name import EngineName
 from vitrail.commands.exit_code import INTERRUPTED, exit_codes, usage_error
 from vitrail.commands.output import print_json
 from vitrail.commands.render_passes import (
@@ -21,14 +19,12 @@ from vitrail.commands.render_passes import (
     render_passes,
     say_how_it_ended,
 )
-from vitrail.commands.settings_options import QUALITY, SETTINGS, parse_settings
+from vitrail.commands.settings_options import QUALITY, SETTINGS, prepared
 from vitrail.plan.settings import Quality, Solver
 
 if TYPE_CHECKING:
     from vitrail.engines.base import Rendering
-    from vitrail.plan.plan import Plan
-    from vitrail.plan.settings import Settings
-    from vitrail.scene.load import Loaded
+    from vitrail.pipeline.job import Job
 
 
 def render(
@@ -54,92 +50,57 @@ def render(
         if out.suffix != ".exr":
             raise usage_error(f"--out {out}: the image is an EXR file; end its name with .exr")
         from vitrail.commands.scene_file import read_scene
-        from vitrail.geometry.world import World
-        from vitrail.plan.analyse import analyse
 
-        loaded = read_scene(scene)
-        world = World.of(loaded)
-        plan = analyse(world)
         options = {"samples": samples, "photons": photons, "seed": seed, "solver": solver}
-        chosen = parse_settings(world, plan, quality, settings, **options)
-        for warning in plan.warnings:
+        job = prepared(read_scene(scene), quality, settings, **options)
+        for warning in job.plan.warnings:
             typer.echo(f"warning: {warning}", err=True)
         given = samples is not None or any(each.split("=")[0].strip() == "samples" for each in settings)
         by_passes = PassOptions(passes, budget_s, target_error, resume, given)
         if by_passes.wanted:
-            _by_passes(engine, loaded, plan, chosen, threads, out, by_passes, png, as_json)
+            _by_passes(engine, job, threads, out, by_passes, png, as_json)
             return
-        made = _rendered(engine, loaded, plan, chosen, threads, out)
-        _say_files(made.record, out, loaded, png, as_json)
+        made = _rendered(engine, job, threads, out)
+        _say_files(made.record, out, job, png, as_json)
         if made.interrupted:
             typer.echo("interrupted: the image holds the finished work", err=True)
             raise typer.Exit(INTERRUPTED)
 
 
 def _by_passes(
-    engine: EngineName,
-    loaded: Loaded,
-    plan: Plan,
-    settings: Settings,
-    threads: int,
-    out: Path,
-    options: PassOptions,
-    png: bool,
-    as_json: bool,
+    engine: EngineName, job: Job, threads: int, out: Path, options: PassOptions, png: bool, as_json: bool
 ) -> None:
     """Render by passes, say what came of it, and end with its exit code."""
     if engine is not EngineName.TRACER:
         raise usage_error("--engine povray: only the tracer renders by passes; leave --engine out, or those options")
-    done, code = render_passes(loaded, plan, settings, threads, out, options)
+    done, code = render_passes(job, threads, out, options)
     if done.record is not None:
-        _say_files(done.record, out, loaded, png, as_json)
+        _say_files(done.record, out, job, png, as_json)
     say_how_it_ended(done, code)
     if code:
         raise typer.Exit(code)
 
 
-def _say_files(record: dict[str, Any], out: Path, loaded: Loaded, png: bool, as_json: bool) -> None:
-    files = [out, out.with_suffix(".run.json")] + ([_picture(out, loaded)] if png else [])
+def _say_files(record: dict[str, Any], out: Path, job: Job, png: bool, as_json: bool) -> None:
+    files = [out, out.with_suffix(".run.json")] + ([_picture(out, job)] if png else [])
     print_json(record) if as_json else typer.echo("\n".join(str(file) for file in files))
 
 
-def _rendered(engine: EngineName, loaded: Loaded, plan: Plan, settings: Settings, threads: int, out: Path) -> Rendering:
-    """Render into a folder beside the image, then move image and record to their names."""
-    from vitrail.base.canonical_json import canonical_json
+def _rendered(engine: EngineName, job: Job, threads: int, out: Path) -> Rendering:
+    """The image and its record in their places, with a bar that shows how far it is."""
     from vitrail.commands.progress_bar import progress_bar
-    from vitrail.engines.base import Rendering
-    from vitrail.geometry.world import World
+    from vitrail.engines.installed import engine_named
+    from vitrail.pipeline.render_image import render_image
 
-    world = World.of(loaded)
-    out.parent.mkdir(parents=True, exist_ok=True)
-    with tempfile.TemporaryDirectory(dir=out.parent, prefix=f".{out.stem}-") as work, progress_bar(out.stem) as show:
-        match engine:
-            case EngineName.TRACER:
-                from vitrail.engines.tracer import Tracer
-                from vitrail.lower.tracer import lower_tracer
-
-                lowered = lower_tracer(world, plan, settings)
-                made = Tracer().render(lowered, Path(work), threads=threads, progress=show)
-            case EngineName.POVRAY:
-                from vitrail.engines.povray import Povray
-                from vitrail.lower.povray import lower_povray
-
-                translated = lower_povray(world, plan, settings)
-                made = Povray().render(translated, Path(work), threads=threads, progress=show)
-            case _:
-                assert_never(engine)
-        record = Path(work) / "record.json"
-        record.write_text(canonical_json(made.record), encoding="utf-8")
-        os.replace(record, out.with_suffix(".run.json"))
-        os.replace(made.image_path, out)
-    return Rendering(out, made.record)
+    with progress_bar(out.stem) as show:
+        return render_image(job, engine_named(engine), out, threads=threads, progress=show)
 
 
-def _picture(out: Path, loaded: Loaded) -> Path:
+def _picture(out: Path, job: Job) -> Path:
     """The image as a PNG, through the one display transform of the project."""
     from vitrail.images.display import Display
     from vitrail.images.exr import read_image, write_png
 
     picture = out.with_suffix(".png")
-    write_png(picture, Display(loaded.scene.image.exposure_stops).apply(read_image(out).radiance))
+    write_png(picture, Display(job.scene.image.exposure_stops).apply(read_image(out).radiance))
     return picture

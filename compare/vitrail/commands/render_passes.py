@@ -4,21 +4,21 @@ from __future__ import annotations
 
 import shlex
 import sys
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import typer
 
+from vitrail.base.engine_name import EngineName
 from vitrail.commands.comparison_options import reference_errors
 from vitrail.commands.exit_code import INCONCLUSIVE, INTERRUPTED, usage_error
 from vitrail.commands.target_error import parse_target_error
 
 if TYPE_CHECKING:
+    from vitrail.pipeline.job import Job
     from vitrail.pipeline.passes.run import Finished, Look
     from vitrail.pipeline.passes.stop import Wish
-    from vitrail.plan.plan import Plan
-    from vitrail.plan.settings import Settings
     from vitrail.scene.load import Loaded
 
 PASSES = typer.Option(None, "--passes", min=1, help="Make so many independent passes and average them.")
@@ -46,24 +46,20 @@ class PassOptions:
         return ends
 
 
-def render_passes(
-    loaded: Loaded, plan: Plan, settings: Settings, threads: int, out: Path, options: PassOptions
-) -> tuple[Finished, int]:
+def render_passes(job: Job, threads: int, out: Path, options: PassOptions) -> tuple[Finished, int]:
     """Make the passes; what came of them, and the exit code."""
     from vitrail.commands.progress_bar import progress_bar
     from vitrail.engines.tracer import Tracer
-    from vitrail.geometry.world import World
     from vitrail.judge.references import read_scene_truth, references_folder
     from vitrail.judge.thresholds import thresholds_of
-    from vitrail.lower.tracer import lower_tracer
     from vitrail.pipeline.passes.checkpoint import CheckpointError, checkpoint_path
     from vitrail.pipeline.passes.interrupt import patient_interrupt
-    from vitrail.pipeline.passes.run import Job, run_passes
+    from vitrail.pipeline.passes.run import PassesJob, run_passes
     from vitrail.pipeline.passes.schedule import pass_settings
 
-    wish = _wish(loaded, options)
+    wish, loaded = _wish(job.loaded, options), job.loaded
     try:
-        settings = pass_settings(loaded.scene, settings, samples_given=options.samples_given)
+        settings = pass_settings(job.scene, job.settings, samples_given=options.samples_given)
     except ValueError as error:
         raise usage_error(f"settings: {error}") from None
     out.parent.mkdir(parents=True, exist_ok=True)
@@ -72,12 +68,12 @@ def render_passes(
     with reference_errors():
         references = references_folder(loaded.path)
         truth = read_scene_truth(references, loaded.path.stem, loaded.scene)
-        lowered = lower_tracer(World.of(loaded), plan, settings)
-        job = Job(loaded.scene, lowered, out, truth, thresholds_of(references), Tracer(), threads)
+        lowered = replace(job, settings=settings).lowered(EngineName.TRACER)
+        passes = PassesJob(loaded.scene, lowered, out, truth, thresholds_of(references), Tracer(), threads)
         try:
             with progress_bar(out.stem) as show, patient_interrupt() as interrupt:
                 look = lambda found: typer.echo(_look_line(found, wish), err=True)  # noqa: E731
-                done = run_passes(job, wish, interrupt, resume=options.resume, progress=show, on_look=look)
+                done = run_passes(passes, wish, interrupt, resume=options.resume, progress=show, on_look=look)
         except CheckpointError as error:
             raise usage_error(str(error)) from None
     for line in _pixel_lines(done, wish):

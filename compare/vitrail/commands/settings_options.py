@@ -11,9 +11,8 @@ from vitrail.commands.exit_code import usage_error
 from vitrail.plan.settings import Quality, setting_names
 
 if TYPE_CHECKING:
-    from vitrail.geometry.world import World
-    from vitrail.plan.plan import Plan
-    from vitrail.plan.settings import Settings
+    from vitrail.pipeline.job import Job
+    from vitrail.scene.load import Loaded
 
 QUALITY = typer.Option(Quality.NORMAL, "--quality", help="How much work, where no setting says it.")
 SETTINGS = typer.Option(
@@ -24,9 +23,12 @@ SETTINGS = typer.Option(
 )
 
 
-def parse_settings(world: World, plan: Plan, quality: Quality, assignments: list[str], **options: object) -> Settings:
-    """Settings from the command line. ``options`` that are None were not given; ``--set`` wins over them."""
-    from vitrail.plan.budget import settings_for
+def prepared(loaded: Loaded, quality: Quality, assignments: list[str], **options: object) -> Job:
+    """A scene with its plan, and the settings that were asked for on the command line.
+
+    ``options`` that are None were not given; ``--set`` wins over them.
+    """
+    from vitrail.pipeline.job import prepare
 
     given = {key: value for key, value in options.items() if value is not None}
     typed = {key: f"--{key} {value}" for key, value in given.items()}
@@ -37,6 +39,6 @@ def parse_settings(world: World, plan: Plan, quality: Quality, assignments: list
         given[key.strip()] = value.strip()
         typed[key.strip()] = f"--set {assignment}"
     try:
-        return settings_for(world, plan, quality, **given)
+        return prepare(loaded, quality, given)
     except Fault as fault:
         raise usage_error(f"{typed[str(fault.path[0])]}: {fault.what}; {fault.remedy}") from None

@@ -8,6 +8,7 @@ from typing import Any
 
 import typer
 
+from vitrail.base.engine_name import EngineName
 from vitrail.commands.exit_code import exit_codes, usage_error
 from vitrail.commands.output import print_json, wide_console
 
@@ -45,16 +46,12 @@ def _traced(path: Path, band: int | None, wavelength_nm: float | None, arguments
     """Lower the scene with everything on, so that a ray meets what no camera ray of the scene would, and follow it."""
     from vitrail.commands.scene_file import read_scene
     from vitrail.engines.tracer import Tracer
-    from vitrail.geometry.world import World
-    from vitrail.lower.tracer import lower_tracer
+    from vitrail.pipeline.job import prepare
     from vitrail.plan.analyse import everything
-    from vitrail.plan.budget import settings_for
     from vitrail.plan.settings import Quality
 
-    world = World.of(read_scene(path))
-    plan = everything(world)
-    settings = settings_for(world, plan, Quality.DRAFT)
-    lowered = lower_tracer(world, plan, settings, wavelength_nm=wavelength_nm)
+    job = prepare(read_scene(path), Quality.DRAFT, planner=everything)
+    lowered = job.lowered(EngineName.TRACER, wavelength_nm=wavelength_nm)
     if band is not None and band >= len(lowered["bands"]):
         raise usage_error(f"--band {band}: the scene has {len(lowered['bands'])} band(s), counted from 0")
     chosen = ["--band", str(band or 0)] if band is not None or wavelength_nm is not None else []

@@ -24,11 +24,11 @@ from vitrail.judge.thresholds import Thresholds
 from vitrail.judge.whereabouts import Switched, whereabouts
 from vitrail.lower.povray import NotTranslatable
 from vitrail.metrics.measurement import MetricError
+from vitrail.pipeline.job import prepare
 from vitrail.pipeline.render import lower_both, render_both
 from vitrail.pipeline.request import Request
 from vitrail.plan.ablation import Ablation, ablations
 from vitrail.plan.analyse import analyse
-from vitrail.plan.budget import settings_for
 from vitrail.scene.load import Loaded
 from vitrail.scene.model import Scene
 
@@ -141,19 +141,17 @@ def _look(
 ) -> AblatedLook:
     """Render and measure one ablated scene; what goes wrong is said and ends nothing."""
     scene = _observing(ablation.scene, wanted)
-    world = World.of(loaded).with_scene(scene)
-    plan = analyse(world)
-    settings = settings_for(world, plan, request.quality, **request.overrides)
+    job = prepare(replace(loaded, scene=scene), request.quality, request.overrides)
     folder = place / ablation.name.replace(" ", "_")
     try:
-        lowered = lower_both(replace(loaded, scene=scene), plan, settings, request)
+        lowered = lower_both(job, request)
         made = render_both(lowered, folder, request, progress)
         if any(rendering.interrupted for rendering in made.values()):
             raise KeyboardInterrupt
         cpu_s = sum(rendering.record.get("cpu_s", {}).get("total") or 0.0 for rendering in made.values())
         images = {side: read_image(rendering.image_path) for side, rendering in made.items()}
-        observed = _observed(scene, images, truth, settings.gather_radius_m)
-        light = patch_lights(scene, images, truth, settings.gather_radius_m)
+        observed = _observed(scene, images, truth, job.settings.gather_radius_m)
+        light = patch_lights(scene, images, truth, job.settings.gather_radius_m)
     except (NotTranslatable, EngineFailure, ImageError, NothingToMeasure, MetricError) as error:
         # The first clause says what went wrong; remedies are for a scene that somebody wrote.
         return AblatedLook(ablation, {}, {}, reason=" ".join(str(error).split()).split(";")[0])

@@ -10,7 +10,6 @@ from pathlib import Path
 from typing import Any
 
 from vitrail.engines.base import Engine, Progress, silent
-from vitrail.geometry.world import World
 from vitrail.images.exr import ImageLayers, read_image
 from vitrail.judge.comparison import Pair
 from vitrail.judge.gates import check_gates
@@ -18,10 +17,9 @@ from vitrail.judge.observe import Observed, observe
 from vitrail.judge.reference_files import ReferencesError
 from vitrail.judge.references import SceneTruth
 from vitrail.judge.stored import Provenance, Stored, read_provenance, read_stored, stored_content, write_stored
-from vitrail.lower.tracer import lower_tracer
+from vitrail.pipeline.job import prepare
+from vitrail.pipeline.run import run
 from vitrail.pipeline.scene_run import inspect
-from vitrail.plan.analyse import analyse
-from vitrail.plan.budget import settings_for
 from vitrail.plan.settings import Quality
 from vitrail.scene.load import Loaded
 from vitrail.scene.print import scene_hash
@@ -72,12 +70,9 @@ def propose_rendering(
     progress: Progress = silent,
 ) -> Proposal:
     """Render a scene with the tracer and propose the image. Raises EngineFailure and ReferencesError."""
-    world = World.of(loaded)
-    plan = analyse(world)
-    settings = settings_for(world, plan, quality, **overrides)
-    lowered = lower_tracer(world, plan, settings)
-    made = engine.render(lowered, work, threads=threads, progress=progress)
-    record = {**made.record, "settings": settings.as_record()}
+    job = prepare(loaded, quality, overrides)
+    made = run(job, engine, work, threads=threads, progress=progress)
+    record = {**made.record, "settings": job.settings.as_record()}
     return _proposal(loaded, folder, because, read_image(made.image_path), record, quality)
 
 

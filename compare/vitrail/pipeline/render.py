@@ -10,17 +10,14 @@ from pathlib import Path
 from typing import Any
 
 from vitrail.base.canonical_json import canonical_json
+from vitrail.base.engine_name import EngineName
 from vitrail.engines.base import EngineFailure, Progress, Rendering
 from vitrail.engines.cache import Cache, content_key, named_files
 from vitrail.engines.engine_build import build_of
-from vitrail.geometry.world import World
-from vitrail.lower.povray import PovrayScene, lower_povray
+from vitrail.lower.povray import PovrayScene
 from vitrail.lower.povray.certificate.certificate import Certificate
-from vitrail.lower.tracer import lower_tracer
+from vitrail.pipeline.job import Job
 from vitrail.pipeline.request import Request
-from vitrail.plan.plan import Plan
-from vitrail.plan.settings import Settings
-from vitrail.scene.load import Loaded
 from vitrail.scene.print import scene_hash
 
 CERTAIN = 100
@@ -40,16 +37,16 @@ class Lowered:
         return self.povray.certificate if self.povray is not None else Certificate(())
 
 
-def lower_both(loaded: Loaded, plan: Plan, settings: Settings, request: Request) -> Lowered:
+def lower_both(job: Job, request: Request) -> Lowered:
     """The tracer's form, and POV-Ray's if the request wants it. Raises NotTranslatable with the scene's lines."""
-    world, defect = World.of(loaded), request.defect
-    tracer = lower_tracer(world.with_scene(defect.misread_by_tracer(world.scene)), plan, settings)
+    defect, scene = request.defect, job.scene
+    tracer = job.with_scene(defect.misread_by_tracer(scene)).lowered(EngineName.TRACER)
     # A misread scene is still meant to be this one: both images carry its hash.
-    tracer["scene_hash"] = scene_hash(loaded.scene)
+    tracer["scene_hash"] = scene_hash(scene)
     if "povray" not in request.against:
         return Lowered(defect.tracer(tracer), None)
-    povray = lower_povray(world.with_scene(defect.misread_by_povray(world.scene)), plan, settings)
-    povray = replace(povray, scene_hash=scene_hash(loaded.scene))
+    povray = job.with_scene(defect.misread_by_povray(scene)).lowered(EngineName.POVRAY)
+    povray = replace(povray, scene_hash=scene_hash(scene))
     return Lowered(defect.tracer(tracer), defect.povray(povray))
 
 

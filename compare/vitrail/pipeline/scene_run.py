@@ -8,7 +8,6 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from vitrail.engines.base import EngineFailure, Progress, Rendering
-from vitrail.geometry.world import World
 from vitrail.images.exr import ImageError, ImageLayers, read_image
 from vitrail.judge.gates import Inspected, check_gates
 from vitrail.judge.judgement import Residual
@@ -20,13 +19,11 @@ from vitrail.judge.stored import Stored, read_stored
 from vitrail.lower.povray import NotTranslatable
 from vitrail.pipeline.ablate import Search
 from vitrail.pipeline.evidence import certificate_records, engine_record, plan_records, speed_records
+from vitrail.pipeline.job import Job, prepare
 from vitrail.pipeline.look import Look
 from vitrail.pipeline.render import lower_both, render_both
 from vitrail.pipeline.request import Request
-from vitrail.plan.analyse import analyse
-from vitrail.plan.budget import settings_for
-from vitrail.plan.plan import Plan
-from vitrail.plan.settings import Quality, Settings
+from vitrail.plan.settings import Quality
 from vitrail.scene.load import Loaded
 from vitrail.scene.print import scene_hash
 
@@ -55,19 +52,18 @@ class SceneRun:
 
 def run_scene(loaded: Loaded, name: str, request: Request, progress: Progress) -> SceneRun:
     """Load, plan, lower, render, measure. What stops one scene is its status and message, and stops no other."""
-    plan = analyse(World.of(loaded))
     folder = references_folder(loaded.path, request.references)
     stored = read_stored(folder, loaded.path.stem, scene_hash(loaded.scene)) if "stored" in request.against else None
-    settings = _settings(loaded, plan, stored, request)
-    record = _record(loaded, name, plan, settings, request)
+    job = _prepared(loaded, stored, request)
+    record = _record(job, name, request)
     try:
-        lowered = lower_both(loaded, plan, settings, request)
+        lowered = lower_both(job, request)
         record = record.model_copy(update={"certificate": certificate_records(lowered.certificate)})
         made = render_both(lowered, request.out / name, request, progress)
         record, images = _images(loaded, record, made, stored, request)
         if record.status is not Status.JUDGED:
             return SceneRun(record)
-        look = Look(loaded.scene, loaded.path.stem, folder, settings, images, stored)
+        look = Look(loaded.scene, loaded.path.stem, folder, job.settings, images, stored)
         record = record.model_copy(update={"global_metrics": look.whole_images()})
         return SceneRun(record, look.observations(), lowered.certificate.bound, folder)
     except NotTranslatable as refusal:
@@ -100,25 +96,23 @@ def unjudged(loaded: Loaded, name: str, request: Request) -> SceneResult:
     )
 
 
-def _record(loaded: Loaded, name: str, plan: Plan, settings: Settings, request: Request) -> SceneResult:
+def _record(job: Job, name: str, request: Request) -> SceneResult:
     """What is known before anything is rendered."""
     planned = {
-        "plan": plan_records(plan),
-        "settings": settings.as_record(),
-        "warnings": plan.warnings,
-        "reproduce": reproduce(loaded.path, settings.quality, request),
+        "plan": plan_records(job.plan),
+        "settings": job.settings.as_record(),
+        "warnings": job.plan.warnings,
+        "reproduce": reproduce(job.loaded.path, job.settings.quality, request),
     }
-    return unjudged(loaded, name, request).model_copy(update=planned)
+    return unjudged(job.loaded, name, request).model_copy(update=planned)
 
 
-def _settings(loaded: Loaded, plan: Plan, stored: Stored | None, request: Request) -> Settings:
-    """The request's settings, or the recipe of the stored image where that is to be made again."""
-    world = World.of(loaded)
+def _prepared(loaded: Loaded, stored: Stored | None, request: Request) -> Job:
+    """The scene with the request's settings, or by the recipe of the stored image where that is to be made again."""
     if stored is None:
-        return settings_for(world, plan, request.quality, **request.overrides)
+        return prepare(loaded, request.quality, request.overrides)
     recipe = {key: value for key, value in stored.provenance.settings.items() if key != "quality"}
-    quality = Quality(stored.provenance.quality)
-    return settings_for(world, plan, quality, **{**recipe, **request.overrides})
+    return prepare(loaded, Quality(stored.provenance.quality), {**recipe, **request.overrides})
 
 
 def _images(

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import hashlib
 from dataclasses import dataclass, field
-from typing import Any
 
 from vitrail.base.canonical_json import json_line
 from vitrail.base.record import JsonObject

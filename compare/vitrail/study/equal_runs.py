@@ -9,12 +9,14 @@ from __future__ import annotations
 
 import tempfile
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Literal
 
 from scipy import stats
 
 from vitrail.base.canonical_json import canonical_json
+from vitrail.base.engine_name import EngineName
 from vitrail.base.record import Record, write_record
 from vitrail.engines.base import Engine
 from vitrail.geometry.world import World
@@ -23,13 +25,12 @@ from vitrail.judge.comparison import Pair
 from vitrail.judge.false_alarms import sidak
 from vitrail.judge.observe import observe
 from vitrail.judge.references import SceneTruth
-from vitrail.lower.tracer import lower_tracer
+from vitrail.pipeline.job import Job, prepare
 from vitrail.pipeline.queue import Progress, Work, run_tasks
+from vitrail.pipeline.run import run
 from vitrail.pipeline.task import Task
 from vitrail.pipeline.task_log import TaskLog
-from vitrail.plan.analyse import analyse
-from vitrail.plan.budget import settings_for
-from vitrail.plan.settings import Quality, Settings
+from vitrail.plan.settings import Quality
 from vitrail.scene.load import Loaded
 
 RATES = (0.01, 0.05, 0.2)
@@ -87,8 +88,9 @@ def equal_runs(
     report: Callable[[Progress], None] = lambda progress: None,
 ) -> EqualRuns:
     """Render and compare ``pairs`` pairs, remembering those that are done; write and return equal_runs.json."""
-    world = World.of_scene(loaded.scene)
-    content = canonical_json(lower_tracer(world, analyse(world), _settings(loaded, overrides, 0)))
+    # The files of a scene have other paths on another machine: the key of a task names them as the scene does.
+    job = replace(_job(loaded, overrides, 0), world=World.of_scene(loaded.scene))
+    content = canonical_json(job.lowered(EngineName.TRACER))
     tasks = [
         Task("pair", {"first": 2 * k + 1, "second": 2 * k + 2, "content": content, "version": engine.version()})
         for k in range(pairs)
@@ -129,9 +131,9 @@ def _alarms(suite: Sequence[PairNumber], rate: float) -> bool:
 
 def _pair(loaded: Loaded, engine: Engine, overrides: Mapping[str, object], seeds: tuple[int, int]) -> PairNumbers:
     """Every number between two renderings of the scene."""
-    first, second = (_rendered(loaded, engine, _settings(loaded, overrides, seed)) for seed in seeds)
+    first, second = (_rendered(_job(loaded, overrides, seed), engine) for seed in seeds)
     images = {"candidate": first, "reference": second}
-    radius_m = _settings(loaded, overrides, seeds[0]).gather_radius_m
+    radius_m = _job(loaded, overrides, seeds[0]).settings.gather_radius_m
     observed = observe(loaded.scene, images, (Pair.CANDIDATE_REFERENCE,), SceneTruth(), radius_m)
     numbers = tuple(
         PairNumber(
@@ -147,13 +149,10 @@ def _pair(loaded: Loaded, engine: Engine, overrides: Mapping[str, object], seeds
     return PairNumbers(numbers=numbers)
 
 
-def _settings(loaded: Loaded, overrides: Mapping[str, object], seed: int) -> Settings:
-    world = World.of(loaded)
-    return settings_for(world, analyse(world), Quality.DRAFT, **{**overrides, "seed": seed})
+def _job(loaded: Loaded, overrides: Mapping[str, object], seed: int) -> Job:
+    return prepare(loaded, Quality.DRAFT, {**overrides, "seed": seed})
 
 
-def _rendered(loaded: Loaded, engine: Engine, settings: Settings) -> ImageLayers:
-    world = World.of(loaded)
-    lowered = lower_tracer(world, analyse(world), settings)
+def _rendered(job: Job, engine: Engine) -> ImageLayers:
     with tempfile.TemporaryDirectory(prefix="vitrail-pair-") as work:
-        return read_image(engine.render(lowered, Path(work), threads=1).image_path)
+        return read_image(run(job, engine, Path(work), threads=1).image_path)

@@ -13,7 +13,7 @@ from vitrail.judge.references import SceneTruth, read_scene_truth
 from vitrail.judge.thresholds import own_references, thresholds_of
 from vitrail.lower.tracer import lower_tracer
 from vitrail.pipeline.passes.interrupt import Interrupt
-from vitrail.pipeline.passes.run import Finished, Job, run_passes
+from vitrail.pipeline.passes.run import Finished, PassesJob, run_passes
 from vitrail.pipeline.passes.stop import Wish
 from vitrail.plan.analyse import analyse
 from vitrail.plan.budget import settings_for
@@ -39,25 +39,25 @@ def ball_lens(pixels: int) -> Scene:
     return scene.model_copy(update={"image": Image(width=pixels, height=pixels)})
 
 
-def job(out: Path, pixels: int = 32, threads: int = 1, engine: Engine | None = None, **settings: Any) -> Job:
+def job(out: Path, pixels: int = 32, threads: int = 1, engine: Engine | None = None, **settings: Any) -> PassesJob:
     """``settings`` replace those of normal quality; 5000 photons and 4 samples unless they say otherwise."""
     scene = ball_lens(pixels)
     truth = read_scene_truth(own_references(), "ball_lens", scene)
     return _job(scene, truth, out, threads, engine, {"photons": 5000, "samples": 4, **settings})
 
 
-def glowing_ball(out: Path, threads: int = 1, **settings: Any) -> Job:
+def glowing_ball(out: Path, threads: int = 1, **settings: Any) -> PassesJob:
     return _job(load_text(BALL).scene, SceneTruth(), out, threads, None, {"samples": 2, **settings})
 
 
 def _job(
     scene: Scene, truth: SceneTruth, out: Path, threads: int, engine: Engine | None, settings: dict[str, Any]
-) -> Job:
+) -> PassesJob:
     world = World.of_scene(scene)
     plan = analyse(world)
     lowered = lower_tracer(world, plan, settings_for(world, plan, "normal", **settings))
-    return Job(scene, lowered, out, truth, thresholds_of(own_references()), engine or Tracer(), threads)
+    return PassesJob(scene, lowered, out, truth, thresholds_of(own_references()), engine or Tracer(), threads)
 
 
-def passes(work: Job, wish: Wish | int, *, resume: bool = False, **rest: Any) -> Finished:
+def passes(work: PassesJob, wish: Wish | int, *, resume: bool = False, **rest: Any) -> Finished:
     return run_passes(work, Wish(wish) if isinstance(wish, int) else wish, Interrupt(), resume=resume, **rest)

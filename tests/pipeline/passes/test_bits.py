@@ -12,7 +12,7 @@ from tests.pipeline.passes.small_job import glowing_ball, job, passes
 from vitrail.engines.tracer import Tracer
 from vitrail.images.exr import ImageLayers, read_image
 from vitrail.pipeline.passes.checkpoint import CheckpointError, checkpoint_path
-from vitrail.pipeline.passes.run import Job
+from vitrail.pipeline.passes.run import PassesJob
 
 
 def assert_same_bits(first: ImageLayers, second: ImageLayers) -> None:
@@ -53,7 +53,7 @@ def test_the_layers_of_the_mean_sum_to_its_radiance(tmp_path: Path) -> None:
     np.testing.assert_allclose((image.half_a + image.half_b) / 2, image.radiance, rtol=2**-21)
 
 
-def foreign(work: Job, **settings: object) -> Job:
+def foreign(work: PassesJob, **settings: object) -> PassesJob:
     return replace(work, lowered={**work.lowered, "settings": {**work.lowered["settings"], **settings}})
 
 

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
 
 import pytest
 
 from tests.pipeline.passes.small_job import ball_lens
+from vitrail.base.changed import changed
 from vitrail.geometry.world import World
 from vitrail.pipeline.passes.schedule import (
     blur_radius_m,
@@ -53,7 +53,7 @@ def test_a_pass_has_two_samples_unless_the_scene_wants_one() -> None:
     world = World.of_scene(scene)
     draft = settings_for(world, analyse(world), "draft")
     assert draft.samples == 1
-    assert pass_settings(scene, draft, samples_given=False) == replace(draft, samples=2)
+    assert pass_settings(scene, draft, samples_given=False) == changed(draft, samples=2)
     with pytest.raises(ValueError, match="ask for 2 samples or more"):
         pass_settings(scene, draft, samples_given=True)
     pixels = scene.model_copy(update={"image": Image(width=8, height=8, samples=1)})

@@ -9,9 +9,8 @@ import pytest
 from typer.testing import CliRunner
 
 from vitrail.commands.tradeoff import tradeoff
-from vitrail.geometry.world import World
+from vitrail.pipeline.job import prepare
 from vitrail.pipeline.task_log import read_rows
-from vitrail.plan.analyse import analyse
 from vitrail.scene.load import load
 from vitrail.study.tradeoff.knobs import matrix
 
@@ -92,20 +91,17 @@ def test_a_scene_that_observes_nothing_is_refused_with_the_remedy(program, tmp_p
     ],
 )
 def test_only_knobs_with_a_meaning_are_turned(scene: str, knobs: set[str]) -> None:
-    loaded = load(SCENES / f"{scene}.yaml").scene
-    tried = [
-        {**each.settings, **each.wishes} for each in matrix(loaded, analyse(World.of_scene(loaded)), 0.01, "quick")
-    ]
+    usual = prepare(load(SCENES / f"{scene}.yaml"))
+    tried = [{**each.settings, **each.wishes} for each in matrix(usual, "quick")]
     names = {name for each in tried for name in each}
-    own = loaded.transport.model_dump()
+    own = usual.scene.transport.model_dump()
     assert not [each for each in tried for name in each if name in own and each[name] == own[name]], "tried twice"
     turned = {name for name in names if len({str(each.get(name)) for each in tried}) > 1}
     assert turned == knobs
 
 
 def test_only_the_tracer_counts_light_in_pixels() -> None:
-    loaded = load(SCENES / "ball_lens.yaml").scene
-    tried = matrix(loaded, analyse(World.of_scene(loaded)), 0.01, "normal")
+    tried = matrix(prepare(load(SCENES / "ball_lens.yaml")), "normal")
     for solver in ("light_bins", "beams"):
         assert {each.engine for each in tried if each.settings.get("solver") == solver} == {"tracer"}
     assert len({(each.engine, each.seed, each.label) for each in tried}) == len(tried)

@@ -37,7 +37,7 @@ LAW = "r^2 (i + 1) = r^2 (i) (i + 2/3) / (i + 1)"
 
 
 @dataclass(frozen=True)
-class Job:
+class PassesJob:
     """One image to be made from passes. ``lowered`` is the tracer's input for the first of them; ``truth`` and
     ``thresholds`` say which numbers of an observation count, and relative to what."""
 
@@ -85,7 +85,7 @@ class Finished:
 
 
 def run_passes(
-    job: Job,
+    job: PassesJob,
     wish: Wish,
     interrupt: Interrupt,
     *,
@@ -122,7 +122,7 @@ def run_passes(
     return _written(job, state, reason)
 
 
-def _with_pass(job: Job, state: Checkpoint, interrupt: Interrupt, progress: Progress) -> Checkpoint | None:
+def _with_pass(job: PassesJob, state: Checkpoint, interrupt: Interrupt, progress: Progress) -> Checkpoint | None:
     """One more pass; None when it was abandoned, and what it had is dropped."""
     number = state.sums.count + 1
     lowered = lowered_pass(job.lowered, number)
@@ -148,7 +148,7 @@ def _with_pass(job: Job, state: Checkpoint, interrupt: Interrupt, progress: Prog
 
 
 def _rendered(
-    job: Job, lowered: dict[str, Any], work: Path, interrupt: Interrupt, progress: Progress
+    job: PassesJob, lowered: dict[str, Any], work: Path, interrupt: Interrupt, progress: Progress
 ) -> Rendering | None:
     try:
         with interrupt.abandonable():
@@ -157,7 +157,7 @@ def _rendered(
         return None
 
 
-def _looked(job: Job, wish: Wish, state: Checkpoint, on_look: Callable[[Look], None]) -> tuple[Checkpoint, bool]:
+def _looked(job: PassesJob, wish: Wish, state: Checkpoint, on_look: Callable[[Look], None]) -> tuple[Checkpoint, bool]:
     """Measure the errors of the targets; whether they are met, and when to look again."""
     passes = state.sums.count
     errors = _errors(job, state, frozenset(target.phenomenon for target in wish.targets))
@@ -167,19 +167,19 @@ def _looked(job: Job, wish: Wish, state: Checkpoint, on_look: Callable[[Look], N
     return replace(state, next_look=passes if met else next_look(wanted, passes)), met
 
 
-def _errors(job: Job, state: Checkpoint, phenomena: frozenset[str] | None = None) -> tuple[HalfError, ...]:
+def _errors(job: PassesJob, state: Checkpoint, phenomena: frozenset[str] | None = None) -> tuple[HalfError, ...]:
     blur_radius_m = _blur_radius_m(job, state)
     return job.observer.errors(state.sums.mean(), state.scatter, blur_radius_m=blur_radius_m, phenomena=phenomena)
 
 
-def _blur_radius_m(job: Job, state: Checkpoint) -> float:
+def _blur_radius_m(job: PassesJob, state: Checkpoint) -> float:
     """The root of the mean square gather radius; 0 where what the camera sees is counted in pixels."""
     if state.record["settings"]["solver"] != "photon_map":
         return 0.0
     return blur_radius_m(job.first_radius_m, state.sums.count)
 
 
-def _written(job: Job, state: Checkpoint, reason: Reason) -> Finished:
+def _written(job: PassesJob, state: Checkpoint, reason: Reason) -> Finished:
     """Image and record, each whole or not at all."""
     errors = _errors(job, state)
     about = _about(job, state, errors)
@@ -204,7 +204,7 @@ def _written(job: Job, state: Checkpoint, reason: Reason) -> Finished:
     return Finished(reason, record, errors)
 
 
-def _about(job: Job, state: Checkpoint, errors: tuple[HalfError, ...]) -> dict[str, Any]:
+def _about(job: PassesJob, state: Checkpoint, errors: tuple[HalfError, ...]) -> dict[str, Any]:
     """What an image says of its passes: the same for the same passes, however many sittings and seconds they took."""
     count = state.sums.count
     return {

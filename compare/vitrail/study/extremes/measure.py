@@ -6,17 +6,16 @@ import math
 import tempfile
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
+from vitrail.base.engine_name import EngineName
 from vitrail.engines.base import EngineFailure
 from vitrail.engines.povray_text import render_text
 from vitrail.engines.tracer import Tracer
-from vitrail.geometry.world import World
 from vitrail.images.exr import read_image
-from vitrail.lower.tracer import lower_tracer
+from vitrail.pipeline.job import Job, prepare
+from vitrail.pipeline.run import run
 from vitrail.pipeline.task import TIMEOUT_S
 from vitrail.plan.analyse import everything
-from vitrail.plan.budget import settings_for
 from vitrail.plan.settings import Quality
 from vitrail.scene.load import load_text
 from vitrail.study.extremes.axis import AtlasEngine, Axis
@@ -51,28 +50,25 @@ def _povray(axis: Axis, value: float) -> float:
 
 
 def _tracer(axis: Axis, value: float) -> float:
-    lowered = _lowered(axis, value)
+    job = _job(axis, value)
     if axis.ray is not None:
         ray = axis.ray(value)
         numbers = [",".join(map(repr, vector)) for vector in (ray.origin, ray.direction)]
         arguments = ["--origin", numbers[0], "--direction", numbers[1], "--branch", ray.branch]
-        answer = Tracer().trace(lowered, [*arguments, "--max-vertices", str(MOST_VERTICES)])
+        answer = Tracer().trace(job.lowered(EngineName.TRACER), [*arguments, "--max-vertices", str(MOST_VERTICES)])
         return ray.read(answer["vertices"])
     with tempfile.TemporaryDirectory(prefix="vitrail-atlas-") as folder:
-        rendering = Tracer(timeout_s=TIMEOUT_S).render(lowered, Path(folder), threads=1)
+        rendering = run(job, Tracer(timeout_s=TIMEOUT_S), Path(folder), threads=1)
         if axis.ledger is not None:
             return axis.ledger(rendering.record["ledger"])
         return axis.read(read_image(rendering.image_path).radiance, value)
 
 
-def _lowered(axis: Axis, value: float) -> dict[str, Any]:
-    """The scene for the tracer with everything on, one sample a pixel."""
-    world = World.of_scene(load_text(axis.scene(value), f"{axis.name}.yaml").scene)
-    plan = everything(world)
-    settings = settings_for(
-        world, plan, Quality.DRAFT, samples=1, **({"photons": axis.photons} if axis.photons else {})
-    )
-    return lower_tracer(world, plan, settings)
+def _job(axis: Axis, value: float) -> Job:
+    """The scene with everything on, one sample per pixel."""
+    loaded = load_text(axis.scene(value), f"{axis.name}.yaml")
+    photons = {"photons": axis.photons} if axis.photons else {}
+    return prepare(loaded, Quality.DRAFT, {"samples": 1, **photons}, planner=everything)
 
 
 _MEASURES: dict[AtlasEngine, Callable[[Axis, float], float]] = {"tracer": _tracer, "povray": _povray}

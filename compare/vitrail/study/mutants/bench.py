@@ -6,15 +6,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from vitrail.geometry.world import World
 from vitrail.judge.records import Results, SceneResult
 from vitrail.pipeline.about_run import about_run
+from vitrail.pipeline.job import prepare
 from vitrail.pipeline.render import lower_both, povray_key, tracer_key
 from vitrail.pipeline.request import Defect, Request
 from vitrail.pipeline.scene_run import SceneRun, run_scene
 from vitrail.pipeline.suite import judge
-from vitrail.plan.analyse import analyse
-from vitrail.plan.budget import settings_for
 from vitrail.scene.load import Loaded, load
 from vitrail.study.mutants.records import Alarm
 
@@ -82,10 +80,7 @@ def clean_bench(folder: Path, out: Path) -> Bench:
 
 def content(loaded: Loaded, request: Request) -> tuple[str, str]:
     """What decides both images of a scene."""
-    world = World.of(loaded)
-    plan = analyse(world)
-    settings = settings_for(world, plan, request.quality, **request.overrides)
-    lowered = lower_both(loaded, plan, settings, request)
+    lowered = lower_both(prepare(loaded, request.quality, request.overrides), request)
     return tracer_key("", lowered.tracer), povray_key("", lowered.povray)
 
 

@@ -16,13 +16,11 @@ from pathlib import Path
 from typing import Any
 
 from vitrail.engines.tracer import Tracer
-from vitrail.geometry.world import World
 from vitrail.images.exr import ImageLayers, read_image
-from vitrail.lower.tracer import lower_tracer
+from vitrail.pipeline.job import Job, prepare
+from vitrail.pipeline.run import run
 from vitrail.pipeline.task import Task
-from vitrail.plan.analyse import analyse
-from vitrail.plan.budget import settings_for
-from vitrail.plan.settings import Quality, Settings
+from vitrail.plan.settings import Quality
 from vitrail.scene.load import Loaded
 from vitrail.scene.print import scene_hash
 from vitrail.study.tradeoff.knobs import Extent
@@ -53,7 +51,7 @@ class Converged:
         """What decides the two images, for the key and for a reader."""
         return {
             name: {"samples": each.samples, "photons": each.photons, "gather_radius_m": each.gather_radius_m}
-            for name, each in ((name, self._settings(name)) for name in RADII)
+            for name, each in ((name, self._job(name).settings) for name in RADII)
         }
 
     def image(self, which: str) -> ImageLayers:
@@ -61,25 +59,20 @@ class Converged:
         kept = self.folder / f"{self.task.key}.{which}.exr"
         with self.lock:
             if not kept.is_file():
-                self._render(self._settings(which), kept)
+                self._render(self._job(which), kept)
             return read_image(kept)
 
-    def _settings(self, which: str) -> Settings:
-        world = World.of(self.loaded)
-        plan = analyse(world)
-        work = {"samples": SAMPLES[self.extent], "seed": 1001 if which == "reference" else 1002}
-        usual = settings_for(world, plan, Quality.REFERENCE, **work)
-        if usual.photons == 0:
+    def _job(self, which: str) -> Job:
+        work: dict[str, object] = {"samples": SAMPLES[self.extent], "seed": 1001 if which == "reference" else 1002}
+        usual = prepare(self.loaded, Quality.REFERENCE, work)
+        if usual.settings.photons == 0:
             return usual
         work["photons"] = PHOTONS[self.extent]
-        usual = settings_for(world, plan, Quality.REFERENCE, **work)
-        return settings_for(
-            world, plan, Quality.REFERENCE, **work, gather_radius_m=usual.gather_radius_m * RADII[which]
-        )
+        usual = prepare(self.loaded, Quality.REFERENCE, work)
+        radius_m = usual.settings.gather_radius_m * RADII[which]
+        return prepare(self.loaded, Quality.REFERENCE, {**work, "gather_radius_m": radius_m})
 
-    def _render(self, settings: Settings, kept: Path) -> None:
-        world = World.of(self.loaded)
-        lowered = lower_tracer(world, analyse(world), settings)
+    def _render(self, job: Job, kept: Path) -> None:
         self.folder.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryDirectory(dir=self.folder, prefix=".rendering-") as work:
-            os.replace(Tracer().render(lowered, Path(work)).image_path, kept)
+            os.replace(run(job, Tracer(), Path(work)).image_path, kept)

@@ -14,12 +14,10 @@ from itertools import product
 from typing import Literal, get_args
 
 from vitrail.base.phenomenon import Phenomenon
-from vitrail.geometry.world import World
 from vitrail.lower.povray.text.modes import mode_of
-from vitrail.plan.budget import settings_for
+from vitrail.pipeline.job import Job, prepare
 from vitrail.plan.plan import Plan
 from vitrail.plan.settings import Quality
-from vitrail.scene.model import Scene
 
 EngineName = Literal["tracer", "povray"]
 Extent = Literal["quick", "normal", "wide"]
@@ -88,12 +86,12 @@ Point = tuple[KnobValues, KnobValues]
 """Settings and wishes of one point of the matrix."""
 
 
-def matrix(scene: Scene, plan: Plan, usual_radius_m: float, extent: Extent) -> list[Knobs]:
-    """Every setting to try, each engine by itself; each setting once."""
+def matrix(usual: Job, extent: Extent) -> list[Knobs]:
+    """Every setting to try, each engine by itself; each setting once. ``usual`` has the usual photons and radius."""
     found: dict[str, Knobs] = {}
     for engine in ENGINES:
-        main = _main(plan, usual_radius_m, extent, engine)
-        tried = main + list(_around(_middle(main), scene, plan, extent, engine))
+        main = _main(usual.plan, usual.settings.gather_radius_m, extent, engine)
+        tried = main + list(_around(_middle(main), usual, extent, engine))
         for (settings, wishes), seed in product(tried, range(1, 1 + SEEDS[extent])):
             knobs = Knobs(engine, settings, wishes, seed)
             found.setdefault(f"{engine} {seed} {knobs.label}", knobs)
@@ -138,9 +136,9 @@ def _middle(main: list[Point]) -> KnobValues:
     return main[work.index(steps[(len(steps) - 1) // 2])][0]
 
 
-def _around(middle: KnobValues, scene: Scene, plan: Plan, extent: Extent, engine: EngineName) -> Iterator[Point]:
+def _around(middle: KnobValues, usual: Job, extent: Extent, engine: EngineName) -> Iterator[Point]:
     """Every other knob that has a meaning here, turned by itself."""
-    own = scene.transport.model_dump()
+    plan, own = usual.plan, usual.scene.transport.model_dump()
     if plan.requires(Phenomenon.CAUSTIC):
         yield from (({**middle, "samples": samples}, {}) for samples in SAMPLES[extent])
     if plan.requires(Phenomenon.DISPERSION):
@@ -149,15 +147,16 @@ def _around(middle: KnobValues, scene: Scene, plan: Plan, extent: Extent, engine
         wish = "max_reflections" if plan.requires(Phenomenon.REFLECTION) else "max_transmissions"
         yield from ((middle, {wish: depth}) for depth in DEPTHS if depth != own[wish])
     if engine == "povray":
-        yield from (({**middle, "reference_mode": mode}, {}) for mode in _different_modes(scene, plan))
+        yield from (({**middle, "reference_mode": mode}, {}) for mode in _different_modes(usual))
 
 
-def _different_modes(scene: Scene, plan: Plan) -> list[str]:
+def _different_modes(usual: Job) -> list[str]:
     """The reference modes that do other work on this scene than the usual one, each work once."""
     found: dict[tuple[int, bool], str] = {}
     for name in ("auto", *MODES):
         # An image of the sky counts as grey here: what it is costs a file, and at most one knob more.
-        mode = mode_of(scene, plan, settings_for(World.of_scene(scene), plan, Quality.NORMAL, reference_mode=name), {})
+        job = prepare(usual.loaded, Quality.NORMAL, {"reference_mode": name})
+        mode = mode_of(job.scene, job.plan, job.settings, {})
         found.setdefault((len(mode.exposures), mode.is_sliced), name)
     return [name for name in found.values() if name != "auto"]
 

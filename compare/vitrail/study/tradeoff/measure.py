@@ -8,21 +8,19 @@ from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 
+from vitrail.base.engine_name import EngineName
 from vitrail.base.record import JsonObject
 from vitrail.engines.base import Rendering
 from vitrail.engines.povray import Povray
 from vitrail.engines.tracer import Tracer
-from vitrail.geometry.world import World
 from vitrail.images.exr import ImageLayers, read_image
 from vitrail.judge.comparison import Pair
 from vitrail.judge.observe import Observed, observe
 from vitrail.judge.references import SceneTruth
 from vitrail.judge.verdict import Measured
-from vitrail.lower.povray import lower_povray
-from vitrail.lower.tracer import lower_tracer
+from vitrail.pipeline.job import prepare
+from vitrail.pipeline.run import run
 from vitrail.pipeline.task import TIMEOUT_S
-from vitrail.plan.analyse import analyse
-from vitrail.plan.budget import settings_for
 from vitrail.plan.settings import Quality
 from vitrail.scene.load import Loaded
 from vitrail.scene.model import Scene, Transport
@@ -81,14 +79,9 @@ class Measure:
 
 def _rendered(spec: JsonObject, loaded: Loaded, folder: Path) -> tuple[Rendering, float]:
     """One thread, so that CPU seconds are those of the work and not of waiting."""
-    world = World.of(loaded)
-    plan = analyse(world)
-    settings = settings_for(world, plan, Quality.NORMAL, **spec["settings"], seed=spec["seed"])
-    if spec["engine"] == "tracer":
-        lowered = lower_tracer(world, plan, settings)
-        return Tracer(timeout_s=TIMEOUT_S).render(lowered, folder, threads=1), settings.gather_radius_m
-    text = lower_povray(world, plan, settings)
-    return Povray(timeout_s=TIMEOUT_S).render(text, folder, threads=1), settings.gather_radius_m
+    job = prepare(loaded, Quality.NORMAL, {**spec["settings"], "seed": spec["seed"]})
+    engine = Tracer(timeout_s=TIMEOUT_S) if spec["engine"] == EngineName.TRACER else Povray(timeout_s=TIMEOUT_S)
+    return run(job, engine, folder, threads=1), job.settings.gather_radius_m
 
 
 def _cost(rendering: Rendering) -> RunCost:

@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 import tempfile
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -19,16 +20,14 @@ from vitrail.base.phenomenon import Phenomenon
 from vitrail.base.record import JsonObject, write_record
 from vitrail.engines.engine_build import engine_build
 from vitrail.engines.tracer import Tracer
-from vitrail.geometry.world import World
 from vitrail.images.exr import ImageLayers, read_image
-from vitrail.lower.tracer import lower_tracer
+from vitrail.pipeline.job import Job, prepare
 from vitrail.pipeline.queue import Progress, Work, run_tasks
+from vitrail.pipeline.run import run
 from vitrail.pipeline.task import TIMEOUT_S, Row, Task
 from vitrail.pipeline.task_log import TaskLog, read_rows
-from vitrail.plan.analyse import analyse, everything
-from vitrail.plan.budget import settings_for
-from vitrail.plan.plan import Plan
-from vitrail.plan.settings import Quality, Settings
+from vitrail.plan.analyse import everything
+from vitrail.plan.settings import Quality
 from vitrail.scene.load import Loaded
 from vitrail.scene.model import Scene
 from vitrail.scene.print import scene_hash
@@ -99,20 +98,19 @@ def _measured(loaded: Loaded, spec: JsonObject) -> tuple[JsonObject, JsonObject]
 
 def _variants(loaded: Loaded, spec: JsonObject) -> tuple[Variants, VariantCosts]:
     """Render every variant, and compare each with the plan's image."""
-    scene = _small(loaded.scene, int(spec["pixels"]))
-    world = World.of_scene(scene)
-    plan = analyse(world)
-    settings = _settings(scene, plan, spec)
-    required = [phenomenon for phenomenon in Phenomenon if plan.requires(phenomenon)]
+    planned = _small_job(loaded, spec)
+    whole = replace(planned, plan=everything(planned.world))
+    required = [phenomenon for phenomenon in Phenomenon if planned.plan.requires(phenomenon)]
     images: dict[str, ImageLayers] = {}
     costs: dict[str, list[float]] = {}
     for _ in range(int(spec["repeats"])):
-        for name, variant in ((PLANNED, plan), (EVERYTHING, everything(world))):
-            images[name], seconds = _render(loaded, scene, variant, settings)
+        for name, job in ((PLANNED, planned), (EVERYTHING, whole)):
+            images[name], seconds = _render(job)
             costs.setdefault(name, []).append(seconds)
     for phenomenon in required:
+        scene, plan = without(planned.scene, planned.plan, phenomenon)
         for _ in range(REPEATS_WITHOUT):
-            images[phenomenon.value], seconds = _render(loaded, *without(scene, plan, phenomenon), settings)
+            images[phenomenon.value], seconds = _render(replace(planned.with_scene(scene), plan=plan))
             costs.setdefault(phenomenon.value, []).append(seconds)
     differences = {name: _difference(image, images[PLANNED]) for name, image in images.items() if name != PLANNED}
     runs = {name: tuple(seconds) for name, seconds in costs.items()}
@@ -127,20 +125,19 @@ def _small(scene: Scene, pixels: int) -> Scene:
     return scene.model_copy(update={"image": scene.image.model_copy(update=size)})
 
 
-def _settings(scene: Scene, plan: Plan, spec: JsonObject) -> Settings:
-    """Those of the plan in every variant: only the phenomena differ."""
-    world = World.of_scene(scene)
-    settings = settings_for(world, plan, Quality.DRAFT)
-    fewer = {"photons": min(settings.photons, int(spec["photons"]))}
-    if settings.final_gather_rays:
+def _small_job(loaded: Loaded, spec: JsonObject) -> Job:
+    """The small scene with its plan; every variant has its settings, so that only the phenomena differ."""
+    small = replace(loaded, scene=_small(loaded.scene, int(spec["pixels"])))
+    usual = prepare(small, Quality.DRAFT).settings
+    fewer = {"photons": min(usual.photons, int(spec["photons"]))}
+    if usual.final_gather_rays:
         fewer["final_gather_rays"] = int(spec["final_gather_rays"])
-    return settings_for(world, plan, Quality.DRAFT, **fewer)
+    return prepare(small, Quality.DRAFT, fewer)
 
 
-def _render(loaded: Loaded, scene: Scene, plan: Plan, settings: Settings) -> tuple[ImageLayers, float]:
-    lowered = lower_tracer(World.of(loaded).with_scene(scene), plan, settings)
+def _render(job: Job) -> tuple[ImageLayers, float]:
     with tempfile.TemporaryDirectory(prefix="vitrail-plan-") as folder:
-        rendering = Tracer(timeout_s=TIMEOUT_S).render(lowered, Path(folder), threads=1)
+        rendering = run(job, Tracer(timeout_s=TIMEOUT_S), Path(folder), threads=1)
         return read_image(rendering.image_path), float(rendering.record["process"]["cpu_s"])
 
 

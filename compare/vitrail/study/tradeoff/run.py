@@ -8,13 +8,12 @@ from pathlib import Path
 
 from vitrail.base.record import write_record
 from vitrail.engines.engine_build import engine_build
-from vitrail.geometry.world import World
 from vitrail.judge.references import read_scene_truth, references_folder
+from vitrail.pipeline.job import prepare
 from vitrail.pipeline.queue import Progress, run_tasks
 from vitrail.pipeline.task import Task
 from vitrail.pipeline.task_log import TaskLog, read_rows
-from vitrail.plan.analyse import analyse
-from vitrail.plan.budget import USUAL_PHOTONS, settings_for
+from vitrail.plan.budget import USUAL_PHOTONS
 from vitrail.plan.settings import Quality
 from vitrail.scene.load import Loaded
 from vitrail.scene.print import scene_hash
@@ -63,9 +62,7 @@ def measure_of(loaded: Loaded, out: Path, extent: Extent, references: Path | Non
 
 def tradeoff_tasks(loaded: Loaded, extent: Extent) -> list[Task]:
     """One task a setting and seed; the builds of the engines are part of their keys."""
-    world = World.of(loaded)
-    plan = analyse(world)
-    usual = settings_for(world, plan, Quality.NORMAL, photons=USUAL_PHOTONS)
+    usual = prepare(loaded, Quality.NORMAL, {"photons": USUAL_PHOTONS})
     builds = {"tracer": engine_build("tracer"), "povray": engine_build("povray")}
     return [
         Task(
@@ -79,7 +76,7 @@ def tradeoff_tasks(loaded: Loaded, extent: Extent) -> list[Task]:
                 "seed": knobs.seed,
             },
         )
-        for knobs in matrix(loaded.scene, plan, usual.gather_radius_m, extent)
+        for knobs in matrix(usual, extent)
     ]
 
 

@@ -1,0 +1,20 @@
+"""The engines that are installed here, by name."""
+
+from __future__ import annotations
+
+from typing import assert_never
+
+from vitrail.base.engine_name import EngineName
+from vitrail.engines.povray import Povray
+from vitrail.engines.tracer import Tracer
+
+
+def engine_named(name: EngineName, timeout_s: float | None = None) -> Tracer | Povray:
+    """The engine of that name; one rendering may take ``timeout_s``, or what the engine itself allows."""
+    match name:
+        case EngineName.TRACER:
+            return Tracer(timeout_s=timeout_s)
+        case EngineName.POVRAY:
+            return Povray() if timeout_s is None else Povray(timeout_s=timeout_s)
+        case _:
+            assert_never(name)

@@ -1,0 +1,85 @@
+"""A job: one scene with what it requires and how much work is to be done for it. Every rendering begins here.
+
+    job = prepare(load(path))                 # load, plan, settings
+    lowered = job.lowered(EngineName.TRACER)  # lower
+    rendering = run(job, Tracer(), folder)    # lower and run
+
+Each of the values in between can be printed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING, Any, Literal, assert_never, overload
+
+from vitrail.base.engine_name import EngineName
+from vitrail.geometry.world import World
+from vitrail.plan.analyse import analyse
+from vitrail.plan.budget import settings_for
+from vitrail.plan.plan import Plan
+from vitrail.plan.settings import Quality, Settings
+from vitrail.scene.load import Loaded
+from vitrail.scene.model import Scene
+
+if TYPE_CHECKING:
+    from vitrail.lower.povray import PovrayScene
+
+
+@dataclass(frozen=True)
+class Job:
+    """One scene that can be lowered and rendered. ``world`` is its geometry; it holds the scene that is rendered."""
+
+    loaded: Loaded = field(repr=False)
+    world: World = field(repr=False)
+    plan: Plan
+    settings: Settings
+
+    @property
+    def scene(self) -> Scene:
+        """The scene that is rendered."""
+        return self.world.scene
+
+    def with_scene(self, scene: Scene) -> Job:
+        """The same plan and settings for a changed scene."""
+        return replace(self, world=self.world.with_scene(scene))
+
+    @overload
+    def lowered(self, engine: Literal[EngineName.TRACER], *, wavelength_nm: float | None = None) -> dict[str, Any]: ...
+    @overload
+    def lowered(self, engine: Literal[EngineName.POVRAY]) -> PovrayScene: ...
+    @overload
+    def lowered(self, engine: EngineName) -> dict[str, Any] | PovrayScene: ...
+    def lowered(self, engine: EngineName, *, wavelength_nm: float | None = None) -> dict[str, Any] | PovrayScene:
+        """What the engine reads. ``wavelength_nm`` asks the tracer for light of that one wavelength.
+
+        Raises NotTranslatable, with the scene's lines, for what POV-Ray cannot express.
+        """
+        # Load a back end when it is asked for: a command that emits for one engine starts faster without the other.
+        match engine:
+            case EngineName.TRACER:
+                from vitrail.lower.tracer import lower_tracer
+
+                return lower_tracer(self.world, self.plan, self.settings, wavelength_nm=wavelength_nm)
+            case EngineName.POVRAY:
+                from vitrail.lower.povray import lower_povray
+
+                return lower_povray(self.world, self.plan, self.settings)
+            case _:
+                assert_never(engine)
+
+
+def prepare(
+    loaded: Loaded,
+    quality: Quality = Quality.NORMAL,
+    overrides: Mapping[str, object] | None = None,
+    *,
+    planner: Callable[[World], Plan] = analyse,
+) -> Job:
+    """Plan a scene and settle how much work is done; ``overrides`` replace settings by name.
+
+    ``planner`` is ``analyse``, or ``everything`` to leave nothing out. Raises the Fault of a setting that cannot be.
+    """
+    world = World.of(loaded)
+    plan = planner(world)
+    return Job(loaded, world, plan, settings_for(world, plan, quality, **(overrides or {})))
