@@ -1,7 +1,7 @@
 """Triangles from a PLY or OBJ file, in the world.
 
 Vertex normals are those of the file, or for a smooth mesh without any the mean of the neighbouring faces, weighted by
-their angle at the vertex, as in our tracer. Polygons are cut into fans.
+their angle at the vertex, as in our tracer. Polygons are cut into triangles by ``polygon_cut``.
 """
 
 from __future__ import annotations
@@ -11,19 +11,14 @@ from pathlib import Path
 
 import numpy as np
 
+from vitrail.geometry.obj_file import read_obj
 from vitrail.geometry.placement import Frame
+from vitrail.geometry.ply_file import read_ply
+from vitrail.geometry.raw_mesh import RawMesh
 from vitrail.scene.model import Mesh
 
-_NUMBERS = {
-    **dict.fromkeys(("char", "int8"), "i1"),
-    **dict.fromkeys(("uchar", "uint8"), "u1"),
-    **dict.fromkeys(("short", "int16"), "i2"),
-    **dict.fromkeys(("ushort", "uint16"), "u2"),
-    **dict.fromkeys(("int", "int32"), "i4"),
-    **dict.fromkeys(("uint", "uint32"), "u4"),
-    **dict.fromkeys(("float", "float32"), "f4"),
-    **dict.fromkeys(("double", "float64"), "f8"),
-}
+MOST_BYTES = 2**31
+"""Size of the largest file that is read: some 40 million triangles, more than either engine holds."""
 
 
 class MeshFileError(Exception):
@@ -46,22 +41,37 @@ class Triangles:
 
 def read_triangles(path: Path, mesh: Mesh, frame: Frame) -> Triangles:
     """Read and place a mesh. Raises MeshFileError."""
+    raw = _read_whole(path)
     try:
-        raw = path.read_bytes()
-    except OSError as error:
-        raise MeshFileError(f"it cannot be read ({error.strerror})") from None
-    try:
-        vertices, normals, faces = _ply(raw) if raw.startswith(b"ply") else _obj(raw.decode("utf-8", "replace"))
-    except (ValueError, IndexError, KeyError) as error:
-        raise MeshFileError(f"it is not a mesh in PLY or OBJ ({error})") from None
-    if len(faces) == 0 or not np.isfinite(vertices).all() or faces.max() >= len(vertices) or faces.min() < 0:
-        raise MeshFileError("it has no faces, or faces without vertices")
+        found = read_ply(path, raw) if raw.startswith(b"ply") else read_obj(raw.decode("utf-8", "replace"))
+        _refuse_infinite(found)
+        faces = found.triangles()
+    except (ValueError, OverflowError) as error:
+        raise MeshFileError(str(error)) from None
+    if len(faces) == 0:
+        raise MeshFileError("it has no faces")
+    vertices, normals = found.vertices, found.normals
     rotation = np.array(frame.rotation)
     placed = vertices @ rotation.T + np.array(frame.origin)
     if not mesh.smooth:
         return Triangles(placed, faces, None)
     normals = _angle_weighted(placed, faces) if normals is None else normals @ rotation.T
     return Triangles(placed, faces, normals)
+
+
+def _refuse_infinite(mesh: RawMesh) -> None:
+    for values, what in ((mesh.vertices, "vertex"), (mesh.normals, "normal")):
+        if values is not None and not (finite := np.isfinite(values).all(axis=1)).all():
+            raise ValueError(f"its {what} {int(np.argmin(finite))} is not finite")
+
+
+def _read_whole(path: Path) -> bytes:
+    try:
+        if (size := path.stat().st_size) > MOST_BYTES:
+            raise MeshFileError(f"it has {size:.3g} bytes, and at most {MOST_BYTES:.3g} are read")
+        return path.read_bytes()
+    except OSError as error:
+        raise MeshFileError(f"it cannot be read ({error.strerror})") from None
 
 
 def _angle_weighted(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
@@ -77,115 +87,3 @@ def _angle_weighted(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
         angle = np.arctan2(length[:, 0], (following * previous).sum(axis=1))
         np.add.at(normals, faces[:, k], unit * angle[:, None])
     return normals
-
-
-# --- OBJ ------------------------------------------------------------------------------------------------------------
-
-
-def _obj(text: str) -> tuple[np.ndarray, np.ndarray | None, np.ndarray]:
-    """Vertices and faces; normals count where every vertex has one of the same number."""
-    vertices, normals, faces = [], [], []
-    for line in text.splitlines():
-        words = line.split()
-        match words[:1]:
-            case ["v"]:
-                vertices.append([float(word) for word in words[1:4]])
-            case ["vn"]:
-                normals.append([float(word) for word in words[1:4]])
-            case ["f"]:
-                found = [int(word.split("/")[0]) for word in words[1:]]
-                corners = [each - 1 if each > 0 else len(vertices) + each for each in found]
-                faces += [[corners[0], b, c] for b, c in zip(corners[1:-1], corners[2:], strict=True)]
-            case _:
-                continue
-    kept = np.array(normals) if normals and len(normals) == len(vertices) else None
-    return np.array(vertices, float), kept, np.array(faces, int)
-
-
-# --- PLY ------------------------------------------------------------------------------------------------------------
-
-
-def _ply(raw: bytes) -> tuple[np.ndarray, np.ndarray | None, np.ndarray]:
-    """ASCII or binary of either byte order; vertices with x, y, z (nx, ny, nz), faces with a list of indices."""
-    end = raw.index(b"end_header")
-    start = raw.index(b"\n", end) + 1
-    order, elements = _ply_header(raw[:end].decode("ascii", "replace").splitlines())
-    read = _AsciiRows(raw[start:]) if order == "" else _BinaryRows(raw[start:], order)
-    vertices = normals = None
-    faces: list[list[int]] = []
-    for name, count, properties in elements:
-        rows = [read.row(properties) for _ in range(count)]
-        names = [each[-1] for each in properties]
-        if name == "vertex":
-            columns = {key: [row[i] for row in rows] for i, key in enumerate(names)}
-            vertices = np.array([columns[key] for key in "xyz"], float).T
-            if {"nx", "ny", "nz"} <= set(names):
-                normals = np.array([columns[key] for key in ("nx", "ny", "nz")], float).T
-        elif name == "face":
-            at = next(i for i, key in enumerate(names) if key in ("vertex_indices", "vertex_index"))
-            for corners in (row[at] for row in rows):
-                assert isinstance(corners, list)
-                first, *rest = (int(each) for each in corners)
-                faces += [[first, b, c] for b, c in zip(rest, rest[1:], strict=False)]
-    if vertices is None:
-        raise ValueError("no vertices")
-    return vertices, normals, np.array(faces, int)
-
-
-Property = tuple[str, ...]
-Cell = float | list[float]
-Element = tuple[str, int, list[Property]]
-
-
-def _ply_header(lines: list[str]) -> tuple[str, list[Element]]:
-    """The byte order (empty for ASCII) and the elements with their properties."""
-    order, elements = "", list[Element]()
-    for words in (line.split() for line in lines):
-        match words:
-            case ["format", kind, _]:
-                order = {"ascii": "", "binary_little_endian": "<", "binary_big_endian": ">"}[kind]
-            case ["element", name, count]:
-                elements.append((name, int(count), []))
-            case ["property", *kinds]:
-                elements[-1][2].append(tuple(kinds))
-            case _:
-                continue
-    return order, elements
-
-
-class _AsciiRows:
-    """Numbers as words, in order."""
-
-    def __init__(self, raw: bytes) -> None:
-        self._words = iter(raw.split())
-
-    def row(self, properties: list[Property]) -> list[Cell]:
-        found: list[Cell] = []
-        for kind in properties:
-            if kind[0] == "list":
-                found.append([float(next(self._words)) for _ in range(int(next(self._words)))])
-            else:
-                found.append(float(next(self._words)))
-        return found
-
-
-class _BinaryRows:
-    """Numbers as bytes, in order."""
-
-    def __init__(self, raw: bytes, order: str) -> None:
-        self._raw, self._order, self._at = raw, order, 0
-
-    def row(self, properties: list[Property]) -> list[Cell]:
-        found: list[Cell] = []
-        for kind in properties:
-            if kind[0] == "list":
-                count = int(self._take(kind[1], 1)[0])
-                found.append(self._take(kind[2], count).tolist())
-            else:
-                found.append(float(self._take(kind[0], 1)[0]))
-        return found
-
-    def _take(self, kind: str, count: int) -> np.ndarray:
-        numbers = np.frombuffer(self._raw, self._order + _NUMBERS[kind], count, self._at)
-        self._at += numbers.nbytes
-        return numbers
