@@ -22,11 +22,11 @@ from vitrail.judge.records import SceneResult
 from vitrail.judge.references import SceneTruth, read_scene_truth
 from vitrail.judge.thresholds import Thresholds
 from vitrail.judge.whereabouts import Switched, whereabouts
-from vitrail.lower.povray import NotTranslatable
+from vitrail.lower.povray import NothingToEdit, NotTranslatable
 from vitrail.metrics.measurement import MetricError
-from vitrail.pipeline.job import prepare
-from vitrail.pipeline.render import lower_both, render_both
-from vitrail.pipeline.request import Request
+from vitrail.pipeline.job import Job, prepare
+from vitrail.pipeline.render import Lowered, lower_both, render_both
+from vitrail.pipeline.request import Defect, Request
 from vitrail.plan.ablation import Ablation, ablations
 from vitrail.plan.analyse import analyse
 from vitrail.scene.load import Loaded
@@ -144,7 +144,7 @@ def _look(
     job = prepare(replace(loaded, scene=scene), request.quality, request.overrides)
     folder = place / ablation.name.replace(" ", "_")
     try:
-        lowered = lower_both(job, request)
+        lowered = _lowered(job, request)
         made = render_both(lowered, folder, request, progress)
         if any(rendering.interrupted for rendering in made.values()):
             raise KeyboardInterrupt
@@ -156,6 +156,15 @@ def _look(
         # The first clause says what went wrong; remedies are for a scene that somebody wrote.
         return AblatedLook(ablation, {}, {}, reason=" ".join(str(error).split()).split(";")[0])
     return AblatedLook(ablation, observed, light, lowered.certificate.bound, cpu_s)
+
+
+def _lowered(job: Job, request: Request) -> Lowered:
+    """An ablated scene for both engines; a defect whose nodes the ablation took away has gone with them."""
+    try:
+        return lower_both(job, request)
+    except NothingToEdit:
+        harmless = replace(request.defect, povray=Defect().povray)
+        return lower_both(job, replace(request, defect=harmless))
 
 
 def _like_last_look(request: Request, record: SceneResult) -> Request:

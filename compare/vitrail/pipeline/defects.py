@@ -1,113 +1,141 @@
 """Known mistakes to put into a translation on purpose: each must turn its phenomenon red, or the harness is blind.
 
-These are the three that every run of the tests injects. A defect works on the finished scene text, as the mistake of a
-translator would, and on how the images of the runs are added up.
+These are the three that every run of the tests injects. A defect edits the nodes of the finished scene, as the mistake
+of a translator would, and how the images of the runs are added up. Where it finds no node to edit it raises
+NothingToEdit: a harness whose defects change nothing would be green for nothing.
 """
 
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Callable, Mapping
-from dataclasses import fields, replace
+from dataclasses import replace
 
 from vitrail.lower.povray import PovrayRun, PovrayScene
-from vitrail.lower.povray.text.sdl import number, rgb
+from vitrail.lower.povray.text.edit import Edit, NothingToEdit, blocks, coloured, edited, found, statements, values_of
+from vitrail.lower.povray.text.sdl import Block, Colour, Part, SdlFile, Statement, statement
 from vitrail.pipeline.request import Defect
 
-LIGHT = re.compile(r"(light_source \{ <[^>]*> )rgb (<[^>]*>|[-+.\deE]+)")
-ABSORBING = re.compile(r"media \{ absorption rgb (<[^>]*>|[-+.\deE]+) \}")
-
-SPACING = re.compile(r"spacing ([-+.\deE]+)")
-PARALLEL = re.compile(r"rgb <([-+.\deE]+), [^>]*> parallel")
+Change = Callable[[PovrayScene], PovrayScene]
+"""A mistake in a translated scene; raises NothingToEdit."""
 
 BRIGHTER = 256.0
 """More light with less gain leaves the picture as it is; more than this could overflow the half floats of the image."""
-
 TOO_MUCH_FLUX = 64.0
 """POV-Ray drops photons of flux 32 and more without a word [P 2.4]."""
+WIDER = 32.0
+"""Widening of the spacing for lamps: the flux of their photons depends on their distance, and no sensible choice of
+spacing is so far from the limit."""
 
 
-def on_text(change: Callable[[str], str]) -> Callable[[PovrayScene], PovrayScene]:
-    """A change of every scene text of every run."""
+def everywhere(edit: Edit) -> Change:
+    """Edit what draws and what shoots photons, in every run."""
+    return _of_scene(lambda run: _drawing(_shooting(run, edit), edit))
 
+
+def in_drawing(edit: Edit) -> Change:
+    """Edit what draws, and not what shoots the photons."""
+    return _of_scene(lambda run: _drawing(run, edit))
+
+
+def in_shooting(edit: Edit) -> Change:
+    """Edit what shoots the photons, and not what draws."""
+    return _of_scene(lambda run: _shooting(run, edit))
+
+
+def _of_scene(change: Callable[[PovrayRun], PovrayRun]) -> Change:
     def apply(scene: PovrayScene) -> PovrayScene:
-        return replace(scene, runs=tuple(_changed(run, change) for run in scene.runs))
+        runs = tuple(change(run) for run in scene.runs)
+        if runs == scene.runs:
+            raise NothingToEdit("the defect finds nothing to change in this scene")
+        return replace(scene, runs=runs)
 
     return apply
 
 
-def _changed(run: PovrayRun, change: Callable[[str], str]) -> PovrayRun:
-    """A run has one text or two (photons are shot in one of their own); all begin with the language's version."""
-    texts = {
-        each.name: change(value)
-        for each in fields(run)
-        if isinstance(value := getattr(run, each.name), str) and value.startswith("#version")
-    }
-    return replace(run, **texts)  # type: ignore[arg-type]
+def _drawing(run: PovrayRun, edit: Edit) -> PovrayRun:
+    return replace(run, scene=edited(run.scene, edit))
 
 
-def brighter_lights(factor: float) -> Callable[[str], str]:
+def _shooting(run: PovrayRun, edit: Edit) -> PovrayRun:
+    return run if run.photon_scene is None else replace(run, photon_scene=edited(run.photon_scene, edit))
+
+
+def brighter_lights(factor: float) -> Edit:
     """Multiply the colour of every light."""
 
-    def change(text: str) -> str:
-        return LIGHT.sub(lambda found: f"{found[1]}rgb {_scaled(found[2], factor)}", text)
+    def brighter(colour: Colour) -> Colour:
+        red, green, blue = colour.channels
+        return Colour((red * factor, green * factor, blue * factor))
 
-    return change
+    return blocks("light_source", coloured(brighter))
 
 
-def naive_fade(text: str) -> str:
+def naive_fade(interior: Block) -> Block:
     """Paste colour and distance of the attenuation into a fade, which wants one minus the coefficient.
 
     The colour is stated where a tenth of the strongest channel is left, as an author of a material would.
     """
+    return Block(interior.head, tuple(each for part in interior.parts for each in _faded(part)))
 
-    def change(found: re.Match[str]) -> str:
-        coefficients = _numbers(found[1])
-        distance = math.log(10) / max(coefficients)
-        red, green, blue = (math.exp(-each * distance) for each in coefficients)
-        return f"fade_distance {number(distance)} fade_power 1001 fade_color {rgb((red, green, blue))}"
 
-    return ABSORBING.sub(change, text)
+def _faded(part: Part) -> tuple[Part, ...]:
+    """A medium as the three statements of a fade; any other part as it is."""
+    absorption = values_of(part, "absorption") if isinstance(part, Block) and part.head == "media" else None
+    if absorption is None:
+        return (part,)
+    (colour,) = absorption
+    assert isinstance(colour, Colour)
+    distance = math.log(10) / max(colour.channels)
+    red, green, blue = (math.exp(-each * distance) for each in colour.channels)
+    return (
+        statement("fade_distance", distance),
+        statement("fade_power", 1001),
+        statement("fade_color", Colour((red, green, blue))),
+    )
 
 
 def _overflow(scene: PovrayScene) -> PovrayScene:
     """Fewer photons of more light: the picture keeps its brightness, but photons no longer fit their number format."""
-    if all(run.photon_sdl is None for run in scene.runs):
-        return scene
-    brighter = on_text(lambda text: sparse_photons(brighter_lights(BRIGHTER)(text)))(scene)
-    runs = tuple(replace(run, gain=tuple(each / BRIGHTER for each in run.gain)) for run in brighter.runs)  # type: ignore[arg-type]
-    return replace(brighter, runs=runs)
+    if all(run.photon_scene is None for run in scene.runs):
+        raise NothingToEdit("the defect finds no photons to change in this scene")
+    brighter = everywhere(brighter_lights(BRIGHTER))(scene)
+    runs = []
+    for run in brighter.runs:
+        red, green, blue = (each / BRIGHTER for each in run.gain)
+        photons = None if run.photon_scene is None else sparse_photons(run.photon_scene)
+        runs.append(replace(run, scene=sparse_photons(run.scene), photon_scene=photons, gain=(red, green, blue)))
+    return replace(brighter, runs=tuple(runs))
 
 
-def sparse_photons(text: str) -> str:
+def sparse_photons(file: SdlFile) -> SdlFile:
     """Widen the spacing until a photon of the brightest parallel light carries too much."""
-    found = SPACING.search(text)
-    if found is None:
-        return text
-    spacing = float(found[1])
-    colours = [float(each) for each in PARALLEL.findall(text)]
-    # The flux of a lamp's photon depends on its distance too; a factor of 32 in spacing outdoes any sensible choice.
-    wider = math.sqrt(TOO_MUCH_FLUX / (max(colours) * spacing**2)) if colours else 32.0
-    return SPACING.sub(f"spacing {number(spacing * max(wider, 1.0))}", text)
+    spacing = next((each for block in found(file, "photons") if (each := _spacing(block)) is not None), None)
+    if spacing is None:
+        return file
+    colours = [_red(light) for light in found(file, "light_source") if values_of(light, "parallel") is not None]
+    wider = math.sqrt(TOO_MUCH_FLUX / (max(colours) * spacing**2)) if colours else WIDER
+    return edited(file, statements("spacing", to=(spacing * max(wider, 1.0),)))
 
 
-def _numbers(text: str) -> list[float]:
-    """``<1, 2, 3>`` or ``1`` as three numbers."""
-    found = [float(each) for each in text.strip("<>").split(",")]
-    return found * 3 if len(found) == 1 else found
+def _spacing(photons: Block) -> float | None:
+    values = values_of(photons, "spacing")
+    return None if values is None else float(values[0])  # type: ignore[arg-type]
 
 
-def _scaled(text: str, factor: float) -> str:
-    red, green, blue = (each * factor for each in _numbers(text))
-    return f"<{number(red)}, {number(green)}, {number(blue)}>"
+def _red(light: Block) -> float:
+    """The red channel of a light's colour."""
+    colours = [
+        each for part in light.parts if isinstance(part, Statement) for each in part.values if isinstance(each, Colour)
+    ]
+    return colours[0].channels[0]
 
 
 DEFECTS: Mapping[str, Defect] = {
     defect.name: defect
     for defect in (
-        Defect("missing_pi", povray=on_text(brighter_lights(math.pi))),
-        Defect("naive_fade", povray=on_text(naive_fade)),
+        Defect("missing_pi", povray=everywhere(brighter_lights(math.pi))),
+        Defect("naive_fade", povray=everywhere(blocks("interior", naive_fade))),
         Defect("photon_overflow", povray=_overflow),
     )
 }

@@ -38,7 +38,10 @@ class Lowered:
 
 
 def lower_both(job: Job, request: Request) -> Lowered:
-    """The tracer's form, and POV-Ray's if the request wants it. Raises NotTranslatable with the scene's lines."""
+    """The tracer's form, and POV-Ray's if the request wants it.
+
+    Raises NotTranslatable with the scene's lines, and NothingToEdit where the request's defect changes nothing.
+    """
     defect, scene = request.defect, job.scene
     tracer = job.with_scene(defect.misread_by_tracer(scene)).lowered(EngineName.TRACER)
     # A misread scene is still meant to be this one: both images carry its hash.

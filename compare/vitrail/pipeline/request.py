@@ -23,7 +23,8 @@ class Defect:
     """A known mistake put between lowering and rendering, to see which phenomenon turns red. Empty: none.
 
     ``povray`` changes the translated scene (its text, its gains), ``tracer`` the lowered scene; ``misread_by_povray``
-    and ``misread_by_tracer`` change the scene that one back end reads, as a lowering that misunderstands it would.
+    and ``misread_by_tracer`` change the scene that one back end reads, as a lowering that misunderstands it would. A
+    change of nodes raises NothingToEdit where the translated scene has none of them.
     """
 
     name: str = ""

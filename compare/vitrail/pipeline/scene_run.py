@@ -16,7 +16,7 @@ from vitrail.judge.pictures import write_pictures
 from vitrail.judge.records import SceneResult, Status
 from vitrail.judge.references import references_folder
 from vitrail.judge.stored import Stored, read_stored
-from vitrail.lower.povray import NotTranslatable
+from vitrail.lower.povray import NothingToEdit, NotTranslatable
 from vitrail.pipeline.ablate import Search
 from vitrail.pipeline.evidence import certificate_records, engine_record, plan_records, speed_records
 from vitrail.pipeline.job import Job, prepare
@@ -70,6 +70,8 @@ def run_scene(loaded: Loaded, name: str, request: Request, progress: Progress) -
         return SceneRun(ended(record, Status.NOT_TRANSLATABLE, str(refusal)))
     except EngineFailure as failure:
         return SceneRun(ended(record, Status.ENGINE_FAILED, str(failure)))
+    except NothingToEdit as nothing:
+        return SceneRun(ended(record, Status.SCENE_ERROR, f"{request.defect.name}: {nothing}; leave it out"))
     except NothingToMeasure as nothing:
         return SceneRun(ended(record, Status.SCENE_ERROR, str(nothing)))
 

@@ -9,7 +9,9 @@ import pytest
 
 from tests.lower.povray.real_povray import LOOKING_DOWN, lowered, scene
 from vitrail.lower.povray import NotTranslatable
-from vitrail.lower.povray.text.sdl import UnwritableNumber, number
+from vitrail.lower.povray.text.edit import found
+from vitrail.lower.povray.text.printer import UnwritableNumber, UnwritableWord, number, printed
+from vitrail.lower.povray.text.sdl import Block, Directive, Product, Quoted, SdlFile, block, statement
 
 
 @pytest.mark.parametrize("value", [math.inf, -math.inf, math.nan, 1e39, -1e300])
@@ -41,3 +43,28 @@ def test_what_has_no_counterpart_is_refused_with_its_line() -> None:
     endless = scene("mirror: {reflection: 0.5}\ncard: {diffuse: 0.5}", objects, camera=LOOKING_DOWN)
     with pytest.raises(NotTranslatable, match=r"scene.yaml:8:.*infinite plane; use a rectangle"):
         lowered(endless)
+
+
+@pytest.mark.parametrize("word", ["", "rgb 1 }", "Ball", "#include", "a\nb", "*/", "über", '"x"'])
+def test_words_that_are_none_of_the_language_are_never_written(word: str) -> None:
+    for part in (statement(word), block(word, statement("hollow")), Directive(word, 1), statement(Product(2, word))):
+        with pytest.raises(UnwritableWord):
+            printed(SdlFile((part,)))
+
+
+@pytest.mark.parametrize("name", ["../x.exr", 'x" }', "a b", "", "x\n", "/etc/passwd"])
+def test_file_names_that_are_none_of_ours_are_never_written(name: str) -> None:
+    with pytest.raises(UnwritableWord):
+        printed(SdlFile((statement("load_file", Quoted(name)),)))
+
+
+def test_each_layer_of_a_look_from_inside_is_one() -> None:
+    """A second `texture` in the place of an `interior_texture` would lie on the outside as a third layer."""
+    glass = "tinted: {diffuse: 0.2, transmission: [0.2, 0.5, 0.8], ior: 1.5}"
+    pane = "- {name: pane, box: {min: [-1, 0, -1], max: [1, 0.1, 1]}, material: tinted}"
+    run = lowered(scene(glass, pane), reference_mode="native").runs[0]
+    (box,) = found(run.scene, "box")
+    assert [part.head for part in box.parts if isinstance(part, Block) and "texture" in part.head] == [
+        *["texture"] * 2,
+        *["interior_texture"] * 2,
+    ]

@@ -5,5 +5,6 @@
 
 from vitrail.lower.povray.lower import PovrayRun, PovrayScene, lower_povray
 from vitrail.lower.povray.refusals.refusal import NotTranslatable
+from vitrail.lower.povray.text.edit import NothingToEdit
 
-__all__ = ["NotTranslatable", "PovrayRun", "PovrayScene", "lower_povray"]
+__all__ = ["NotTranslatable", "NothingToEdit", "PovrayRun", "PovrayScene", "lower_povray"]

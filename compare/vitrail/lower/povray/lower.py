@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from functools import cached_property
 from pathlib import Path
 
 from vitrail.base.phenomenon import Phenomenon
@@ -34,7 +35,9 @@ from vitrail.lower.povray.text.indices import Indices
 from vitrail.lower.povray.text.lights import sources
 from vitrail.lower.povray.text.modes import Mode, mode_of
 from vitrail.lower.povray.text.objects import ObjectText
+from vitrail.lower.povray.text.printer import printed
 from vitrail.lower.povray.text.scene_text import SceneText
+from vitrail.lower.povray.text.sdl import SdlFile
 from vitrail.lower.povray.text.sky import SkyPicture, skies_of
 from vitrail.plan.plan import Plan
 from vitrail.plan.reduced import reduced
@@ -50,14 +53,14 @@ class PovrayRun:
     """One execution of POV-Ray: scene text, image size, and how its image counts.
 
     The radiance of a half image is the sum over its runs of ``gain`` times the image, averaged over blocks of
-    ``samples_across`` x ``samples_across`` pixels. Where there are photons, ``photon_sdl`` shoots and saves them, and
-    ``sdl`` loads them. Both look for the file of ``sky``, if there is one, beside them.
+    ``samples_across`` x ``samples_across`` pixels. Where there are photons, ``photon_scene`` shoots and saves them, and
+    ``scene`` loads them. Both look for the file of ``sky``, if there is one, beside them.
     """
 
     name: str
     half: str
-    sdl: str
-    photon_sdl: str | None
+    scene: SdlFile
+    photon_scene: SdlFile | None
     width: int
     height: int
     samples_across: int
@@ -65,6 +68,16 @@ class PovrayRun:
     max_trace_level: int
     depth_is_proven: bool
     sky: SkyPicture | None = None
+
+    @cached_property
+    def sdl(self) -> str:
+        """The text that draws."""
+        return printed(self.scene)
+
+    @cached_property
+    def photon_sdl(self) -> str | None:
+        """The text that shoots photons, if there are any."""
+        return None if self.photon_scene is None else printed(self.photon_scene)
 
     @property
     def texts(self) -> dict[str, str]:
@@ -156,8 +169,8 @@ def _runs(text: SceneText, mode: Mode, settings: Settings) -> Iterator[PovrayRun
             yield PovrayRun(
                 name="_".join(part for part in (half, exposure.name) if part),
                 half=half,
-                sdl=text.sdl(half, exposure, across, "load_file" if shoots else "", sky),
-                photon_sdl=text.sdl(half, exposure, across, "save_file", sky) if shoots else None,
+                scene=text.sdl(half, exposure, across, "load_file" if shoots else "", sky),
+                photon_scene=text.sdl(half, exposure, across, "save_file", sky) if shoots else None,
                 width=image.width * across,
                 height=image.height * across,
                 samples_across=across,

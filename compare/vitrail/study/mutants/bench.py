@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from vitrail.judge.records import Results, SceneResult
+from vitrail.lower.povray import NothingToEdit
 from vitrail.pipeline.about_run import about_run
 from vitrail.pipeline.job import prepare
 from vitrail.pipeline.render import lower_both, povray_key, tracer_key
@@ -61,11 +62,14 @@ class Bench:
 
     def touched(self, defect: Defect) -> list[str]:
         """The scenes whose lowered form a defect changes."""
-        return [
-            name
-            for name, loaded in self.scenes.items()
-            if content(loaded, replace(self.requests[name], defect=defect)) != content(loaded, self.requests[name])
-        ]
+        return [name for name in self.scenes if self._is_touched(name, defect)]
+
+    def _is_touched(self, name: str, defect: Defect) -> bool:
+        loaded, request = self.scenes[name], self.requests[name]
+        try:
+            return content(loaded, replace(request, defect=defect)) != content(loaded, request)
+        except NothingToEdit:
+            return False
 
 
 def clean_bench(folder: Path, out: Path) -> Bench:

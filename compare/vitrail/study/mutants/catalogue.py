@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
 from vitrail.base.phenomenon import Phenomenon
-from vitrail.lower.povray import PovrayRun, PovrayScene
-from vitrail.pipeline.defects import DEFECTS, brighter_lights, on_text
+from vitrail.lower.povray import PovrayScene
+from vitrail.lower.povray.text.edit import Edit, NothingToEdit, blocks, statements, values_of
+from vitrail.lower.povray.text.sdl import Block, Part, Product, Statement, Vector, statement
+from vitrail.pipeline.defects import DEFECTS, brighter_lights, everywhere, in_drawing, in_shooting
 from vitrail.pipeline.request import Defect
 from vitrail.study.mutants import misreadings as misread
 from vitrail.study.mutants.mutant import Mutant
@@ -18,13 +19,9 @@ from vitrail.study.mutants.mutant import Mutant
 P = Phenomenon
 
 
-def _text(pattern: str, replacement: str) -> Callable[[str], str]:
-    """Replace in the scene text that the translator wrote."""
-    return lambda text: re.sub(pattern, replacement, text)
-
-
-def _by_text(name: str, phenomenon: Phenomenon, what: str, change: Callable[[str], str]) -> Mutant:
-    return Mutant(name, "translator", phenomenon, what, Defect(name, povray=on_text(change)))
+def _written(name: str, phenomenon: Phenomenon, what: str, edit: Edit) -> Mutant:
+    """A mistake in how the scene is written, wherever the edit finds a node."""
+    return Mutant(name, "translator", phenomenon, what, Defect(name, povray=everywhere(edit)))
 
 
 def _misread(name: str, phenomenon: Phenomenon, what: str, reading: misread.Misreading) -> Mutant:
@@ -47,26 +44,32 @@ def _known(name: str, phenomenon: Phenomenon, what: str) -> Mutant:
     return Mutant(name, "translator", phenomenon, what, DEFECTS[name])
 
 
-def _in_photons(name: str, what: str, change: Callable[[str], str]) -> Mutant:
-    """A mistake in the text that shoots the photons, and not in the one that draws."""
-    return _of_runs(name, what, lambda run: replace(run, photon_sdl=change(run.photon_sdl)) if run.photon_sdl else run)
-
-
-def _in_drawing(name: str, what: str, change: Callable[[str], str]) -> Mutant:
-    """A mistake in the text that draws, and not in the one that shoots the photons."""
-    return _of_runs(name, what, lambda run: replace(run, sdl=change(run.sdl)))
-
-
-def _of_runs(name: str, what: str, change: Callable[[PovrayRun], PovrayRun]) -> Mutant:
-    def apply(scene: PovrayScene) -> PovrayScene:
-        return replace(scene, runs=tuple(change(run) for run in scene.runs))
-
-    return Mutant(name, "translator", P.CAUSTIC, what, Defect(name, povray=apply))
-
-
-def _mirrored(text: str) -> str:
+def _mirrored(part: Part) -> Part:
     """The camera's right-hand vector turned round."""
-    return re.sub(r"\bright (<[^>]*>)", r"right -1*\1", text)
+    if isinstance(part, Statement) and part.keyword == "right" and isinstance(part.values[1], Vector):
+        return statement("right", Product(-1, part.values[1]))
+    return part
+
+
+def _shadowless(light: Block) -> Block:
+    """A lamp whose light passes everything; one that shines through an aperture does so anyway [P 1.3]."""
+    is_projected = any(isinstance(part, Block) and part.head == "projected_through" for part in light.parts)
+    return light if is_projected else Block(light.head, (*light.parts, statement("shadowless")))
+
+
+def _unshadowed(part: Part) -> Part:
+    """A target of photons that casts no shadow."""
+    if not isinstance(part, Block) or not any(_aims_photons(each) for each in part.parts):
+        return part
+    no_shadow = statement("no_shadow")
+    return Block(
+        part.head,
+        tuple(each for inner in part.parts for each in ((no_shadow, inner) if _aims_photons(inner) else (inner,))),
+    )
+
+
+def _aims_photons(part: Part) -> bool:
+    return isinstance(part, Block) and part.head == "photons" and values_of(part, "target") is not None
 
 
 def _drop_total_reflection(lowered: dict[str, Any]) -> None:
@@ -87,7 +90,7 @@ def _white_bands(lowered: dict[str, Any]) -> None:
 def _loud_bands(scene: PovrayScene) -> PovrayScene:
     """Bands as pure colours: each carries the whole of its channels, so that together they are more than white."""
     if len({run.name for run in scene.runs if "_band" in run.name}) < 2:
-        return scene
+        raise NothingToEdit("the defect finds no bands to change in this scene")
     most = [max(run.gain[channel] for run in scene.runs) for channel in range(3)]
     loud = [tuple(top if own > 0 else 0.0 for own, top in zip(run.gain, most, strict=True)) for run in scene.runs]
     # Blue is the last band's alone, at full weight; red and green are shared by two bands at half weight each.
@@ -102,19 +105,19 @@ def _lambert_without_fresnel(lowered: dict[str, Any]) -> None:
 
 TRANSLATOR = (
     _known("missing_pi", P.DIFFUSION, "light colours are irradiance instead of irradiance over pi"),
-    _by_text("gamma", P.DIFFUSION, "assumed_gamma 2.2", _text(r"assumed_gamma 1\b", "assumed_gamma 2.2")),
-    _by_text("flipped_axis", P.DIFFUSION, "the camera is left-handed: pictures are mirrored", _mirrored),
-    _by_text("missing_cosine", P.DIFFUSION, "brilliance 0: no cosine", _text(r"diffuse 1\b", "diffuse 1 brilliance 0")),
-    _by_text("half_falloff", P.DIFFUSION, "falloff 1/r instead of 1/r^2", _text(r"fade_power 2\b", "fade_power 1")),
-    _by_text(
+    _written("gamma", P.DIFFUSION, "assumed_gamma 2.2", statements("assumed_gamma", 1, to=(2.2,))),
+    _written("flipped_axis", P.DIFFUSION, "the camera is left-handed: pictures are mirrored", _mirrored),
+    _written(
+        "missing_cosine", P.DIFFUSION, "brilliance 0: no cosine", statements("diffuse", 1, to=(1, "brilliance", 0))
+    ),
+    _written("half_falloff", P.DIFFUSION, "falloff 1/r instead of 1/r^2", statements("fade_power", 2, to=(1,))),
+    _written(
         "default_finish",
         P.DIFFUSION,
         "the default ambient of 0.1 is left in place",
-        _text("ambient 0 ", "ambient 0.1 "),
+        statements("ambient", 0, to=(0.1,)),
     ),
-    _by_text(
-        "no_shadows", P.SHADOW, "every lamp is shadowless", _text(r"(light_source \{[^{}]*)\}", r"\1 shadowless }")
-    ),
+    _written("no_shadows", P.SHADOW, "every lamp is shadowless", blocks("light_source", _shadowless)),
     _misread("point_lamps", P.SHADOW, "area lights shrink to their centre", misread.smaller_lamps(0.05)),
     _misread("lost_ambient", P.INDIRECT_LIGHT, "ambient light is forgotten", misread.transport(indirect="none")),
     _misread(
@@ -131,7 +134,7 @@ TRANSLATOR = (
     ),
     _misread("fresnel_off", P.REFRACTION, "Fresnel's share is forgotten", misread.glass(lambda m: {"fresnel": False})),
     _misread("wrong_line", P.REFRACTION, "the index of another spectral line", misread.glass(misread.with_index(1.02))),
-    _by_text("shallow", P.REFRACTION, "rays end at the third face", _text(r"max_trace_level \d+", "max_trace_level 3")),
+    _written("shallow", P.REFRACTION, "rays end at the third face", statements("max_trace_level", to=(3,))),
     _misread(
         "tint_once",
         P.COLOURED_TRANSMISSION,
@@ -165,11 +168,19 @@ TRANSLATOR = (
     ),
     _known("photon_overflow", P.CAUSTIC, "photons of flux 32 and more, which POV-Ray drops without a word"),
     _misread("moved_caustic", P.CAUSTIC, "a lens sits 3 mm aside", misread.moved_balls(3e-3)),
-    _in_photons("weak_photons", "photons carry 1 % less than light does", brighter_lights(0.99)),
-    _in_drawing(
+    Mutant(
+        "weak_photons",
+        "translator",
+        P.CAUSTIC,
+        "photons carry 1 % less than light does",
+        Defect("weak_photons", povray=in_shooting(brighter_lights(0.99))),
+    ),
+    Mutant(
         "counted_twice",
+        "translator",
+        P.CAUSTIC,
         "light through glass counts straight on, because glass casts no shadow, and again as photons",
-        lambda text: text.replace("photons { target", "no_shadow photons { target"),
+        Defect("counted_twice", povray=in_drawing(_unshadowed)),
     ),
 )
 

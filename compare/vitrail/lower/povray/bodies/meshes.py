@@ -14,7 +14,7 @@ from vitrail.geometry.mesh_solid import MeshSolid
 from vitrail.geometry.placement import Placed, place
 from vitrail.lower.povray.bodies.normalise import Normalisation
 from vitrail.lower.povray.refusals.refusal import NotTranslatable, Refusals
-from vitrail.lower.povray.text.sdl import number, vector
+from vitrail.lower.povray.text.sdl import Part, Table, statement, vector
 from vitrail.scene.diagnostic import Diagnostic
 from vitrail.scene.model import Mesh, Object, Scene
 
@@ -52,7 +52,7 @@ def bounds_of_mesh(mesh: Triangles) -> Bounds:
     return Bounds((low[0], low[1], low[2]), (high[0], high[1], high[2]))
 
 
-def mesh_parts(placed: Placed, units: Normalisation) -> tuple[str, ...]:
+def mesh_parts(placed: Placed, units: Normalisation) -> tuple[Part, ...]:
     """The parts of a ``mesh2``: vertices, normals, faces, and a direction that makes it a solid."""
     solid = solid_of(placed)
     assert solid is not None, "a mesh is named by its full path here"
@@ -60,18 +60,15 @@ def mesh_parts(placed: Placed, units: Normalisation) -> tuple[str, ...]:
 
 
 @lru_cache(maxsize=16)
-def _parts(solid: MeshSolid, units: Normalisation) -> tuple[str, ...]:
-    """Written once for all runs."""
+def _parts(solid: MeshSolid, units: Normalisation) -> tuple[Part, ...]:
+    """Made once for all runs."""
     mesh = solid.triangles
-    points = _vectors("vertex_vectors", (mesh.vertices - np.array(units.centre)) * units.scale)
-    normals = () if mesh.normals is None else (_vectors("normal_vectors", mesh.normals),)
-    rows = ",\n".join(f"<{a}, {b}, {c}>" for a, b, c in mesh.faces.tolist())
-    faces = f"face_indices {{ {len(mesh.faces)},\n{rows} }}"
+    points = _table("vertex_vectors", (mesh.vertices - np.array(units.centre)) * units.scale)
+    normals = () if mesh.normals is None else (_table("normal_vectors", mesh.normals),)
     # Any direction will do that no edge is along.
-    inside = f"inside_vector <{number(0.618)}, {number(0.755)}, {number(0.213)}>"
-    return (points, *normals, faces, inside)
+    inside = statement("inside_vector", vector((0.618, 0.755, 0.213)))
+    return (points, *normals, _table("face_indices", mesh.faces), inside)
 
 
-def _vectors(word: str, rows: np.ndarray) -> str:
-    text = ",\n".join(vector(row) for row in rows.tolist())
-    return f"{word} {{ {len(rows)},\n{text} }}"
+def _table(word: str, rows: np.ndarray) -> Table:
+    return Table(word, tuple(map(tuple, rows.tolist())))

@@ -23,7 +23,7 @@ from vitrail.lower.povray.bodies.meshes import Meshes, bounds_with
 from vitrail.lower.povray.bodies.normalise import Normalisation
 from vitrail.lower.povray.refusals.refusal import NotTranslatable, Refusals
 from vitrail.lower.povray.text.lights import Source
-from vitrail.lower.povray.text.sdl import block, number
+from vitrail.lower.povray.text.sdl import Block, Quoted, block, listed, statement
 from vitrail.plan.plan import Plan
 from vitrail.plan.settings import Settings
 from vitrail.scene.model import Material, Scene
@@ -59,19 +59,17 @@ class PhotonPass:
     targets: tuple[Ball, ...]
     expected_shot: float
 
-    def sdl(self, half: str, file: str) -> str:
+    def sdl(self, half: str, file: str) -> Block:
         """The photons block of one half; ``file`` is what happens to the map: ``save_file`` or ``load_file``."""
         return block(
             "photons",
-            [
-                f"spacing {number(self.spacing[half])}",
-                f"radius {number(self.gather_radius)}",
-                f"gather 0, {MOST_GATHERED}",
-                "expand_thresholds 0, 0",
-                f"jitter {number(JITTER)}",
-                "autostop 1",
-                f'{file} "{PHOTON_FILE}"',
-            ],
+            statement("spacing", self.spacing[half]),
+            statement("radius", self.gather_radius),
+            statement("gather", listed(0, MOST_GATHERED)),
+            statement("expand_thresholds", listed(0, 0)),
+            statement("jitter", JITTER),
+            statement("autostop", 1),
+            statement(file, Quoted(PHOTON_FILE)),
         )
 
 

@@ -15,7 +15,7 @@ from vitrail.lower.povray.bodies.contact import touching
 from vitrail.lower.povray.bodies.immersion import index_around
 from vitrail.lower.povray.certificate.certificate import RELATIVE, Entry
 from vitrail.lower.povray.refusals.refusal import Refusals
-from vitrail.lower.povray.text.sdl import block, number
+from vitrail.lower.povray.text.sdl import Block, block, statement
 from vitrail.plan.settings import Quality
 from vitrail.scene.diagnostic import Diagnostic
 from vitrail.scene.model import Scene
@@ -39,21 +39,19 @@ def bounces(scene: Scene) -> int:
     return max(1, min(DEEPEST, math.ceil(math.log(SMALLEST_SHARE) / math.log(max(albedo, 1e-3)))))
 
 
-def radiosity_sdl(scene: Scene, quality: Quality, half: str) -> str:
+def radiosity_sdl(scene: Scene, quality: Quality, half: str) -> Block:
     """The block of ``global_settings``."""
     return block(
         "radiosity",
-        [
-            "pretrace_start 0.08",
-            "pretrace_end 0.01",
-            f"count {RAYS[quality] + EXTRA_RAYS[half]}",
-            "nearest_count 8",
-            f"error_bound {number(ERROR_BOUND)}",
-            f"recursion_limit {bounces(scene)}",
-            "gray_threshold 0",
-            "adc_bailout 0.0001",
-            "brightness 1",
-        ],
+        statement("pretrace_start", 0.08),
+        statement("pretrace_end", 0.01),
+        statement("count", RAYS[quality] + EXTRA_RAYS[half]),
+        statement("nearest_count", 8),
+        statement("error_bound", ERROR_BOUND),
+        statement("recursion_limit", bounces(scene)),
+        statement("gray_threshold", 0),
+        statement("adc_bailout", 0.0001),
+        statement("brightness", 1),
     )
 
 

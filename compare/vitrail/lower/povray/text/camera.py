@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 from vitrail.base.vector import Vec, add, cross, scale, subtract, unit
 from vitrail.lower.povray.bodies.normalise import Normalisation
-from vitrail.lower.povray.text.sdl import block, vector
+from vitrail.lower.povray.text.sdl import Block, block, statement, vector
 from vitrail.scene.model import Camera, Image
 
 
@@ -34,7 +34,7 @@ Opposite shifts would make every gradient look like noise that cancels in the me
 
 def camera_sdl(
     camera: Camera, image: Image, samples_across: int, shift: SubpixelShift, normalisation: Normalisation
-) -> str:
+) -> Block:
     """The camera of an image rendered ``samples_across`` times as wide and high as the scene's."""
     forward = unit(subtract(camera.look_at, camera.position))
     right = unit(cross(forward, camera.up))
@@ -49,13 +49,11 @@ def camera_sdl(
     location, direction = _shifted(camera, normalisation.point(camera.position), forward, offset)
     return block(
         "camera",
-        [
-            camera.kind,
-            f"location {vector(location)}",
-            f"direction {vector(direction)}",
-            f"right {vector(across)}",
-            f"up {vector(rise)}",
-        ],
+        statement(camera.kind),
+        statement("location", vector(location)),
+        statement("direction", vector(direction)),
+        statement("right", vector(across)),
+        statement("up", vector(rise)),
     )
 
 

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from decimal import Decimal
 
 from vitrail.lower.povray.text.exposure import Exposure
-from vitrail.lower.povray.text.sdl import number
+from vitrail.lower.povray.text.sdl import Statement, statement
 from vitrail.optics.bands import Band
 from vitrail.optics.dispersion import ior_by_band, reference_ior
 from vitrail.optics.dispersion_fit import PovrayDispersion, fit
@@ -28,14 +28,18 @@ class Indices:
     bands: tuple[Band, ...]
     is_sliced: bool
 
-    def sdl(self, material: Material, exposure: Exposure, is_shooting: bool) -> str:
-        """The words of an ``interior``."""
+    def sdl(self, material: Material, exposure: Exposure, is_shooting: bool) -> tuple[Statement, ...]:
+        """The index statements of an ``interior``."""
         if exposure.band is not None:
-            return f"ior {number(self._in_band(material, exposure.band, is_shooting))}"
+            return (statement("ior", self._in_band(material, exposure.band, is_shooting)),)
         law = self.native_law(material)
         if law is None:
-            return f"ior {number(reference_ior(material))}"
-        return f"ior {number(law.ior)} dispersion {number(law.dispersion)} dispersion_samples {max(2, len(self.bands))}"
+            return (statement("ior", reference_ior(material)),)
+        return (
+            statement("ior", law.ior),
+            statement("dispersion", law.dispersion),
+            statement("dispersion_samples", max(2, len(self.bands))),
+        )
 
     def native_law(self, material: Material) -> PovrayDispersion | None:
         """POV-Ray's dispersion of a material; None where it has one index, or where runs are slices."""

@@ -25,7 +25,7 @@ from vitrail.lower.povray.text.emitters import (
     sun_directions,
 )
 from vitrail.lower.povray.text.exposure import Exposure, Triplet
-from vitrail.lower.povray.text.sdl import block, number, rgb, vector
+from vitrail.lower.povray.text.sdl import Block, Statement, block, rgb, statement, vector
 from vitrail.lower.povray.text.shapes import aperture
 from vitrail.lower.povray.text.sky import Skies
 from vitrail.scene.diagnostic import Diagnostic
@@ -53,8 +53,8 @@ class Source:
     """One POV-Ray light: at ``position`` (units), or parallel along ``direction``.
 
     ``strength`` is what its photons carry: E / pi, or I / pi in units, along the axis of a cone. ``aperture`` is the
-    text of the shape that parallel light must pass. ``light`` is the index of the scene's light it belongs to, and
-    ``aside`` how far it stands from where that has it, units.
+    shape that parallel light must pass. ``light`` is the index of the scene's light it belongs to, and ``aside`` how
+    far it stands from where that has it, units.
     """
 
     light: int
@@ -63,7 +63,7 @@ class Source:
     direction: Vec | None = None
     fade_distance: float | None = None
     cone: Cone | None = None
-    aperture: str = ""
+    aperture: Block | None = None
     aperture_area: float = math.inf
     aside: float = 0.0
 
@@ -174,31 +174,31 @@ def _fade(light: Light, index: int, position: Vec, scene: Scene, units: Normalis
     return FADE_SHARE * reach
 
 
-def light_sdl(source: Source, exposure: Exposure) -> str:
+def light_sdl(source: Source, exposure: Exposure) -> Block:
     """The ``light_source`` block of one run."""
     strength = exposure.light(source.strength)
     if source.direction is not None:
         # Keep this order of the words: the parser refuses point_at before parallel [P 1.3].
         aim = add(source.position, scale(source.direction, SUN_DISTANCE))
-        passing = f"projected_through {{ {source.aperture} }}" if source.aperture else ""
-        head = f"{vector(source.position)} {rgb(strength)}"
-        return block("light_source", [head, "parallel", f"point_at {vector(aim)}", passing])
+        passing = block("projected_through", source.aperture) if source.aperture else None
+        head = statement(vector(source.position), rgb(strength))
+        return block("light_source", head, statement("parallel"), statement("point_at", vector(aim)), passing)
     assert source.fade_distance is not None
     fade = source.fade_distance
-    head = f"{vector(source.position)} {rgb(times(strength, 1 / (2 * fade * fade)))}"
     return block(
-        "light_source", [head, f"fade_distance {number(fade)}", "fade_power 2", _cone_sdl(source.cone, source.position)]
+        "light_source",
+        statement(vector(source.position), rgb(times(strength, 1 / (2 * fade * fade)))),
+        statement("fade_distance", fade),
+        statement("fade_power", 2),
+        _cone_sdl(source.cone, source.position) if source.cone else None,
     )
 
 
-def _cone_sdl(cone: Cone | None, position: Vec) -> str:
+def _cone_sdl(cone: Cone, position: Vec) -> Statement:
     """A sharp cone, or with tightness 1 the cosine of a one-sided Lambertian lamp [P 1.5]."""
-    if cone is None:
-        return ""
-    angle = number(cone.half_angle_deg)
-    tightness = 1 if cone.is_lambert else 0
-    aim = vector(add(position, cone.axis))
-    return f"spotlight radius {angle} falloff {angle} tightness {tightness} point_at {aim}"
+    angle, tightness = cone.half_angle_deg, 1 if cone.is_lambert else 0
+    words = ("spotlight", "radius", angle, "falloff", angle, "tightness", tightness)
+    return statement(*words, "point_at", vector(add(position, cone.axis)))
 
 
 def times(colour: Triplet, factor: float) -> Triplet:

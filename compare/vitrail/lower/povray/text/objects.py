@@ -12,9 +12,9 @@ from vitrail.lower.povray.bodies.nesting import Cut, Nesting
 from vitrail.lower.povray.bodies.normalise import Normalisation
 from vitrail.lower.povray.text.exposure import Exposure, Triplet
 from vitrail.lower.povray.text.indices import Indices
-from vitrail.lower.povray.text.materials import texture_sdl
+from vitrail.lower.povray.text.materials import Layers, as_interior, textures_sdl
 from vitrail.lower.povray.text.roughness import Bumps, bumps_of
-from vitrail.lower.povray.text.sdl import block, rgb
+from vitrail.lower.povray.text.sdl import Block, Part, block, rgb, statement
 from vitrail.lower.povray.text.shapes import primitive
 from vitrail.lower.povray.text.surface import Surface, specular_pool
 from vitrail.optics.dispersion import reference_ior
@@ -22,7 +22,7 @@ from vitrail.plan.plan import Plan
 from vitrail.scene.absorption import absorption_per_m
 from vitrail.scene.model import Ambient, Material, Object, Scene
 
-CLEAR = "texture { pigment { rgb 1 filter 1 } }"
+CLEAR = block("texture", block("pigment", statement(rgb((1, 1, 1)), "filter", 1)))
 """A face that does nothing at equal index."""
 
 
@@ -41,75 +41,69 @@ class ObjectText:
     nesting: Nesting
     under: Mapping[int, tuple[int, ...]]
 
-    def sdl(self, index: int, placed: Placed, exposure: Exposure, is_shooting: bool) -> str:
+    def sdl(self, index: int, placed: Placed, exposure: Exposure, is_shooting: bool) -> Block:
         """The object in one run; ``placed`` is its shape, where a gap has been opened already."""
-        item, cuts = self.scene.objects[index], self.nesting.cuts[index]
-        material = self.scene.material_of(item)
+        material, cuts = self.scene.material_of(self.scene.objects[index]), self.nesting.cuts[index]
         shape = primitive(placed, self.units)
-        after = [
+        after = (
             *self._textures(index, placed, exposure),
-            self._interior(material, exposure, is_shooting),
+            *self._interior(material, exposure, is_shooting),
             self._photons(material),
-        ]
+        )
         if not cuts:
-            return block(shape.keyword, [*shape.parts, *after])
-        parts = [self._cutter(cut, material, exposure) for cut in cuts]
-        return block("difference", [block(shape.keyword, shape.parts), *parts, *after])
+            return block(shape.keyword, *shape.parts, *after)
+        return block("difference", shape.sdl, *(self._cutter(cut, material, exposure) for cut in cuts), *after)
 
-    def _cutter(self, cut: Cut, lower: Material, exposure: Exposure) -> str:
+    def _cutter(self, cut: Cut, lower: Material, exposure: Exposure) -> Block:
         """What is taken out; its face belongs to the higher solid, and is clear from the inside of the lower one."""
         inner = primitive(cut.placed, self.units)
         if not lower.is_transmissive:
-            return block(inner.keyword, [*inner.parts, self._texture(lower, cut.placed, exposure)])
+            return block(inner.keyword, *inner.parts, *self._layers(lower, cut.placed, exposure))
         higher = self.scene.material_of(self.scene.objects[cut.by])
-        look = self._texture(higher, cut.placed, exposure)
+        outer = self._layers(higher, cut.placed, exposure)
         # Say both sides: a part without a look of its own for its inside takes that of the whole.
-        hidden = look if cut.is_air else self._second_face(lower, cut.is_contact, exposure)
-        return block(inner.keyword, [*inner.parts, look, f"interior_{hidden}"])
+        hidden = outer if cut.is_air else (self._second_face(lower, cut.is_contact, exposure),)
+        return block(inner.keyword, *inner.parts, *outer, *as_interior(hidden))
 
-    def _second_face(self, lower: Material, is_contact: bool, exposure: Exposure) -> str:
+    def _second_face(self, lower: Material, is_contact: bool, exposure: Exposure) -> Block:
         """The face at equal index that is crossed second: nothing, or what the lower solid's own face keeps."""
         if not is_contact:
             return CLEAR
         kept = specular_pool(lower, exposure) if lower.fresnel else exposure.share(lower.transmission)
-        return f"texture {{ pigment {{ {rgb(kept)} filter 1 }} }}"
+        return block("texture", block("pigment", statement(rgb(kept), "filter", 1)))
 
-    def _without(self, host: int, index: int) -> str:
+    def _without(self, host: int, index: int) -> Block:
         """The room of a lower solid without those that other solids take from it."""
-        shape = primitive(place(self.scene.objects[host]), self.units)
-        body = block(shape.keyword, shape.parts)
-        others = [primitive(cut.placed, self.units) for cut in self.nesting.cuts[host] if cut.by != index]
-        if not others:
-            return body
-        return block("difference", [body, *(block(other.keyword, other.parts) for other in others)])
+        body = primitive(place(self.scene.objects[host]), self.units).sdl
+        others = [primitive(cut.placed, self.units).sdl for cut in self.nesting.cuts[host] if cut.by != index]
+        return block("difference", body, *others) if others else body
 
-    def _texture(
+    def _layers(
         self, material: Material, placed: Placed, exposure: Exposure, bumps: Bumps | None = None, seen: float = 1.0
-    ) -> str:
-        return texture_sdl(Surface(material, placed, exposure, self.units, self._has_ambient, bumps, seen))
+    ) -> Layers:
+        return textures_sdl(Surface(material, placed, exposure, self.units, self._has_ambient, bumps, seen))
 
-    def _textures(self, index: int, placed: Placed, exposure: Exposure) -> list[str]:
+    def _textures(self, index: int, placed: Placed, exposure: Exposure) -> Layers:
         """The look of an object from outside, and where it differs from inside: rough, scattering and nested glass."""
         item = self.scene.objects[index]
         material, ior = self.scene.material_of(item), self._index_of(item)
         around = seen_from_outside(self.scene, index_around(self.scene, item))
         bumps = [bumps_of(material, ior, from_inside=side) if material.is_specular else None for side in (False, True)]
-        outer = self._texture(material, placed, exposure, bumps[0], around)
+        outer = self._layers(material, placed, exposure, bumps[0], around)
         if not material.is_transmissive:
             for glass in self.under.get(index, ()):
                 # Where glass lies on this face, its radiance is seen from inside the glass.
                 within = seen_from_outside(self.scene, self._index_of(self.scene.objects[glass]))
-                covered = self._texture(material, placed, exposure, bumps[0], within)
-                outer = block("texture", [block("object", [self._without(glass, index), outer, covered])])
-            return [outer]
-        hidden = inner = self._texture(material, placed, exposure, bumps[1], seen_from_outside(self.scene, ior))
+                covered = self._layers(material, placed, exposure, bumps[0], within)
+                outer = (_by_place(self._without(glass, index), outer, covered),)
+            return outer
+        inner = self._layers(material, placed, exposure, bumps[1], seen_from_outside(self.scene, ior))
         for host in self.nesting.hosts[index]:
             # Where the lower solid lies outside, light has left this one already when it meets this face.
             is_contact = any(cut.by == index and cut.is_contact for cut in self.nesting.cuts[host])
             left = self._second_face(self.scene.material_of(self.scene.objects[host]), is_contact, exposure)
-            hidden = block("texture", [block("object", [self._without(host, index), inner, left])])
-            inner = hidden
-        return [outer] if hidden == outer else [outer, f"interior_{hidden}"]
+            inner = (_by_place(self._without(host, index), inner, (left,)),)
+        return outer if inner == outer else (*outer, *as_interior(inner))
 
     def _index_of(self, item: Object) -> float:
         return reference_ior(self.scene.material_of(item))
@@ -118,21 +112,24 @@ class ObjectText:
     def _has_ambient(self) -> bool:
         return isinstance(self.scene.transport.indirect, Ambient) and self.plan.requires(Phenomenon.INDIRECT_LIGHT)
 
-    def _interior(self, material: Material, exposure: Exposure, is_shooting: bool) -> str:
+    def _interior(self, material: Material, exposure: Exposure, is_shooting: bool) -> tuple[Part, ...]:
         """The index where light enters or Fresnel asks for it, and the absorption where the plan wants it.
 
         A medium absorbs on every way inside. POV-Ray's fade would not: it dims what leaves through a face of its own
         solid, and neither what the face mirrors back nor what ends on a body inside [P 7].
         """
         if not material.is_transmissive and not (material.fresnel and material.is_specular):
-            return ""
-        absorbing = material.is_transmissive and self.plan.requires(Phenomenon.ABSORPTION)
-        inside = ""
-        if absorbing and max(absorption_per_m(material)) > 0:
-            per_unit = exposure.share(self._absorption_per_unit(material))
-            inside = f"media {{ absorption {rgb(per_unit)} }}" if max(per_unit) > 0 else ""
-        interior = block("interior", [self.indices.sdl(material, exposure, is_shooting), inside])
-        return f"{interior}\nhollow" if self._has_media and material.is_transmissive else interior
+            return ()
+        inside = self._absorption(material, exposure) if material.is_transmissive else None
+        interior = block("interior", *self.indices.sdl(material, exposure, is_shooting), inside)
+        return (interior, statement("hollow")) if self._has_media and material.is_transmissive else (interior,)
+
+    def _absorption(self, material: Material, exposure: Exposure) -> Block | None:
+        """The medium of a glass that takes light in this run."""
+        if not self.plan.requires(Phenomenon.ABSORPTION):
+            return None
+        per_unit = exposure.share(self._absorption_per_unit(material))
+        return block("media", statement("absorption", rgb(per_unit))) if max(per_unit) > 0 else None
 
     @property
     def _has_media(self) -> bool:
@@ -144,11 +141,19 @@ class ObjectText:
         red, green, blue = absorption_per_m(material)
         return (red / self.units.scale, green / self.units.scale, blue / self.units.scale)
 
-    def _photons(self, material: Material) -> str:
+    def _photons(self, material: Material) -> Block | None:
         """Photons are aimed at everything specular; only what scatters collects them."""
         if not self.has_photons or not material.is_specular:
-            return ""
-        refraction = "on" if material.is_transmissive else "off"
-        reflection = "on" if max(material.reflection) > 0 or material.fresnel else "off"
-        collect = "" if material.is_diffuse else "collect off"
-        return block("photons", ["target", f"refraction {refraction}", f"reflection {reflection}", collect])
+            return None
+        return block(
+            "photons",
+            statement("target"),
+            statement("refraction", "on" if material.is_transmissive else "off"),
+            statement("reflection", "on" if max(material.reflection) > 0 or material.fresnel else "off"),
+            None if material.is_diffuse else statement("collect", "off"),
+        )
+
+
+def _by_place(body: Block, outside: Layers, inside: Layers) -> Block:
+    """A texture that is one outside of a body and another inside it."""
+    return block("texture", block("object", body, *outside, *inside))

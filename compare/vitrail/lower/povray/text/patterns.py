@@ -11,7 +11,7 @@ from typing import assert_never
 
 from vitrail.base.vector import Vec, scale, subtract, unit
 from vitrail.geometry.surface import frame_of
-from vitrail.lower.povray.text.sdl import matrix, rgb
+from vitrail.lower.povray.text.sdl import Block, Statement, Value, block, listed, matrix, rgb, statement
 from vitrail.lower.povray.text.surface import Surface
 from vitrail.scene.model import Checker, Disc, Plane, Rectangle
 
@@ -22,26 +22,30 @@ def coloured(
     factor: float | tuple[float, ...],
     *,
     light: bool,
-    suffix: str = "",
-) -> str:
-    """The body of a pigment: the texture times ``factor``, as radiance (``light``) or as a share."""
+    passing: tuple[Value, ...] = (),
+) -> Block:
+    """A pigment: the texture times ``factor``, as radiance (``light``) or as a share.
+
+    ``passing`` says what its colours let through, as ``("transmit", 0.5)``.
+    """
     factors = [surface.seen * each for each in ((factor,) * 3 if isinstance(factor, float) else factor)]
 
-    def shown(colour: tuple[float, float, float]) -> str:
+    def shown(colour: tuple[float, float, float]) -> Statement:
         seen = surface.exposure.light(colour) if light else surface.exposure.share(colour)
-        return rgb([value * each for value, each in zip(seen, factors, strict=True)]) + suffix
+        return statement(rgb([value * each for value, each in zip(seen, factors, strict=True)]), *passing)
 
     match texture:
         case Checker():
             first, second = texture.checker.colors
-            return f"checker {shown(first)}, {shown(second)} {_laid(texture.checker.size, surface)}"
+            squares = statement("checker", listed(shown(first), shown(second)))
+            return block("pigment", squares, _laid(texture.checker.size, surface))
         case tuple():
-            return shown(texture)
+            return block("pigment", shown(texture))
         case _:
             assert_never(texture)
 
 
-def _laid(size_m: float, surface: Surface) -> str:
+def _laid(size_m: float, surface: Surface) -> Statement:
     """The matrix that carries POV-Ray's unit cells to the squares of a flat shape."""
     origin, u, v, normal = _flat_frame(surface)
     size = surface.normalisation.length(size_m)

@@ -14,7 +14,7 @@ import math
 from dataclasses import dataclass
 from typing import assert_never
 
-from vitrail.lower.povray.text.sdl import number
+from vitrail.lower.povray.text.sdl import Block, MapEntry, block, statement
 from vitrail.scene.model import Ggx, Material
 
 TILT_PER_AMPLITUDE = 0.387
@@ -48,18 +48,18 @@ class Bumps:
         """Median over the mixture of the tilt's root mean square, radians; a mean would not exist for GGX."""
         return TILT_PER_AMPLITUDE * sorted(self.amplitudes)[LEVELS // 2]
 
-    def sdl(self, extent: float, half: str) -> str:
+    def sdl(self, extent: float, half: str) -> Block:
         """A ``normal`` block whose map has a step for each amplitude, in a scene of ``extent`` units.
 
         The half images have other cells and other bumps, so that their difference is the noise of the pattern, too.
         """
-        cell = number(CELL_SHARE * extent)
-        moved = f" translate {number(HALF_SHIFT[half] * extent)}"
         steps = []
         for level, amplitude in enumerate(self.amplitudes):
-            entry = f"bumps {number(amplitude)} scale {number(BUMP_SIZE)}"
-            steps += [f"[{number(level / LEVELS)} {entry}]", f"[{number((level + 1) / LEVELS)} {entry}]"]
-        return f"normal {{ cells normal_map {{ {' '.join(steps)} }} scale {cell}{moved} }}"
+            bumps = (statement("bumps", amplitude), statement("scale", BUMP_SIZE))
+            steps += [MapEntry(level / LEVELS, bumps), MapEntry((level + 1) / LEVELS, bumps)]
+        cell = statement("scale", CELL_SHARE * extent)
+        moved = statement("translate", HALF_SHIFT[half] * extent)
+        return block("normal", statement("cells"), block("normal_map", *steps), cell, moved)
 
 
 def bumps_of(material: Material, index: float, *, from_inside: bool) -> Bumps | None:

@@ -15,11 +15,14 @@ from vitrail.lower.povray.text.camera import HALF_SHIFTS, camera_sdl
 from vitrail.lower.povray.text.exposure import Exposure, Triplet
 from vitrail.lower.povray.text.lights import Source, light_sdl
 from vitrail.lower.povray.text.objects import ObjectText
-from vitrail.lower.povray.text.sdl import block, number, rgb
+from vitrail.lower.povray.text.sdl import Block, Directive, SdlFile, Statement, block, present, rgb, statement
 from vitrail.lower.povray.text.sky import Skies, SkyPicture
 from vitrail.plan.plan import Plan
 from vitrail.plan.settings import Quality
 from vitrail.scene.model import Ambient, Scene
+
+DARK = (statement("ambient", 0), statement("emission", 0), statement("diffuse", 0))
+"""The finish of what says nothing else; POV-Ray's own has light of its own [P 1.1]."""
 
 
 @dataclass(frozen=True)
@@ -37,22 +40,28 @@ class SceneText:
     objects: ObjectText
     quality: Quality
 
-    def sdl(self, half: str, exposure: Exposure, samples_across: int, photon_file: str, sky: SkyPicture | None) -> str:
-        """The text; ``photon_file`` says what happens to the photon map, and without it there are no photons."""
-        scene, placed = self.scene, self.placement.placed
-        is_shooting = photon_file == "save_file"
-        lines = [
-            "#version 3.7;",
-            self._globals(half, exposure, photon_file),
-            "#default { finish { ambient 0 emission 0 diffuse 0 } }",
-            f"background {{ {rgb(exposure.light(self._sky()))} }}" if sky is None else sky.sdl,
-            camera_sdl(scene.camera, scene.image, samples_across, HALF_SHIFTS[half], self.units),
-        ]
-        lines += [light_sdl(source, exposure) for source in self.lights[half] if _shines(source, exposure)]
-        for index, shape in enumerate(placed):
-            if index not in self.objects.nesting.omitted:
-                lines.append(self.objects.sdl(index, shape, exposure, is_shooting))
-        return "\n".join(lines) + "\n"
+    def sdl(
+        self, half: str, exposure: Exposure, samples_across: int, photon_file: str, sky: SkyPicture | None
+    ) -> SdlFile:
+        """The tree; ``photon_file`` says what happens to the photon map, and without it there are no photons."""
+        scene, is_shooting = self.scene, photon_file == "save_file"
+        return SdlFile(
+            present(
+                (
+                    Directive("version", 3.7),
+                    self._globals(half, exposure, photon_file),
+                    block("#default", block("finish", *DARK)),
+                    block("background", statement(rgb(exposure.light(self._sky())))) if sky is None else sky.sdl,
+                    camera_sdl(scene.camera, scene.image, samples_across, HALF_SHIFTS[half], self.units),
+                    *(light_sdl(source, exposure) for source in self.lights[half] if _shines(source, exposure)),
+                    *(
+                        self.objects.sdl(index, shape, exposure, is_shooting)
+                        for index, shape in enumerate(self.placement.placed)
+                        if index not in self.objects.nesting.omitted
+                    ),
+                )
+            )
+        )
 
     def sky_picture(self, exposure: Exposure) -> SkyPicture | None:
         """What a ray of a run sees that meets nothing, where that is an image."""
@@ -63,26 +72,25 @@ class SceneText:
         """Whether any light shines in the channel of a run."""
         return any(_shines(source, exposure) for source in self.lights[half])
 
-    def _globals(self, half: str, exposure: Exposure, photon_file: str) -> str:
+    def _globals(self, half: str, exposure: Exposure, photon_file: str) -> Block:
+        has_radiosity = self.scene.transport.indirect == "photons"
         return block(
             "global_settings",
-            [
-                "assumed_gamma 1",
-                f"max_trace_level {self.depth.level}",
-                f"adc_bailout {number(self.depth.adc_bailout)}",
-                self._ambient(exposure),
-                radiosity_sdl(self.scene, self.quality, half) if self.scene.transport.indirect == "photons" else "",
-                self.photons.sdl(half, photon_file) if self.photons is not None and photon_file else "",
-            ],
+            statement("assumed_gamma", 1),
+            statement("max_trace_level", self.depth.level),
+            statement("adc_bailout", self.depth.adc_bailout),
+            self._ambient(exposure),
+            radiosity_sdl(self.scene, self.quality, half) if has_radiosity else None,
+            self.photons.sdl(half, photon_file) if self.photons is not None and photon_file else None,
         )
 
-    def _ambient(self, exposure: Exposure) -> str:
+    def _ambient(self, exposure: Exposure) -> Statement | None:
         """The constant irradiance of ``indirect: {ambient: c}``; surfaces answer to it with ``ambient 1``."""
         indirect = self.scene.transport.indirect
         if not isinstance(indirect, Ambient):
-            return ""
+            return None
         red, green, blue = exposure.light(indirect.ambient)
-        return f"ambient_light {rgb((red / math.pi, green / math.pi, blue / math.pi))}"
+        return statement("ambient_light", rgb((red / math.pi, green / math.pi, blue / math.pi)))
 
     def _sky(self) -> Triplet:
         """What a ray sees that meets nothing: the constant environments."""

@@ -1,53 +1,150 @@
-"""The only door through which text reaches a POV-Ray scene: numbers, fixed words and generated identifiers.
+"""POV-Ray's scene description language as a tree: values, statements and blocks, printed once by ``printer.py``.
 
-No name, title or path of a scene file ever becomes scene text [P 8.5]. Every number is checked, because POV-Ray reads
-``1e400`` as infinity without a word [P 12.20], and every block is built from the fixed words written in this package.
+The tree is the only door through which anything reaches a POV-Ray scene: numbers, fixed words and generated
+identifiers. No name, title or path of a scene file ever becomes scene text [P 8.5]. The printer checks every number,
+because POV-Ray reads ``1e400`` as infinity without a word [P 12.20], and every word, so that none can end a block or
+begin a directive.
 """
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 
 from vitrail.base.vector import Vec
 
-FLOAT32_LIMIT = 3.0e38
-"""Colours and photon positions are single precision in POV-Ray; nothing larger may be written."""
+# --- values ---------------------------------------------------------------------------------------------------------
 
 
-class UnwritableNumber(ValueError):
-    """A number that POV-Ray would silently turn into infinity or refuse."""
+@dataclass(frozen=True)
+class Vector:
+    """``<1, 2, 3>``, of any length."""
+
+    numbers: tuple[float, ...]
 
 
-def number(value: float) -> str:
-    """The shortest decimal that reads back as the same double; zero has no sign."""
-    if not math.isfinite(value) or abs(value) > FLOAT32_LIMIT:
-        raise UnwritableNumber(f"{value!r} cannot be written as a POV-Ray number")
-    text = repr(float(value) + 0.0)
-    return text[:-2] if text.endswith(".0") else text
+@dataclass(frozen=True)
+class Colour:
+    """``rgb <1, 2, 3>``, linear; printed as one number where the channels are equal."""
+
+    channels: tuple[float, float, float]
 
 
-def vector(value: Sequence[float]) -> str:
-    return "<" + ", ".join(number(each) for each in value) + ">"
+@dataclass(frozen=True)
+class Product:
+    """``90*y``: a number times a vector or one of POV-Ray's axes."""
+
+    factor: float
+    of: Vector | str
 
 
-def rgb(colour: Sequence[float]) -> str:
-    """A linear colour; one number where the channels are equal."""
-    if colour[0] == colour[1] == colour[2]:
-        return f"rgb {number(colour[0])}"
-    return f"rgb {vector(colour)}"
+@dataclass(frozen=True)
+class Quoted:
+    """``"photons.map"``: the name of a file, made by this package."""
+
+    text: str
 
 
-def matrix(axes: tuple[Vec, Vec, Vec], origin: Vec) -> str:
+@dataclass(frozen=True)
+class Listed:
+    """``<0, 1, 0>, 0.5``: values with commas between them."""
+
+    values: tuple[Value, ...]
+
+
+@dataclass(frozen=True)
+class Statement:
+    """``ior 1.5``: words and values with blanks between them; a keyword comes first where there is one."""
+
+    values: tuple[Value, ...]
+
+    @property
+    def keyword(self) -> str:
+        """The first word; empty where a statement begins with a value."""
+        first = self.values[0]
+        return first if isinstance(first, str) else ""
+
+
+Value = float | str | Vector | Colour | Product | Quoted | Listed | Statement
+"""What stands within a statement; a string is a word of the language."""
+
+# --- parts ----------------------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Block:
+    """``head { parts }``."""
+
+    head: str
+    parts: tuple[Part, ...]
+
+
+@dataclass(frozen=True)
+class MapEntry:
+    """``[0.5 pigment { rgb 1 }]``: one entry of a texture or normal map, at a place or with a weight."""
+
+    at: float
+    parts: tuple[Part, ...]
+
+
+@dataclass(frozen=True)
+class Table:
+    """``face_indices { 2, <0, 1, 2>, <2, 3, 0> }``: many rows after their count, one a line."""
+
+    head: str
+    rows: tuple[tuple[float, ...], ...]
+
+
+@dataclass(frozen=True)
+class Directive:
+    """``#version 3.7;``."""
+
+    word: str
+    value: Value
+
+
+Part = Statement | Listed | Block | MapEntry | Table | Directive
+"""What stands within a block or at the top of a file."""
+
+
+@dataclass(frozen=True)
+class SdlFile:
+    """A whole scene text, part after part."""
+
+    parts: tuple[Part, ...]
+
+
+Node = Value | Part | SdlFile
+
+# --- making nodes ---------------------------------------------------------------------------------------------------
+
+
+def vector(value: Sequence[float]) -> Vector:
+    return Vector(tuple(value))
+
+
+def rgb(colour: Sequence[float]) -> Colour:
+    red, green, blue = colour
+    return Colour((red, green, blue))
+
+
+def listed(*values: Value) -> Listed:
+    return Listed(values)
+
+
+def statement(*values: Value) -> Statement:
+    return Statement(values)
+
+
+def block(head: str, *parts: Part | None) -> Block:
+    """A block of the parts that are there."""
+    return Block(head, present(parts))
+
+
+def present(parts: Iterable[Part | None]) -> tuple[Part, ...]:
+    return tuple(part for part in parts if part is not None)
+
+
+def matrix(axes: tuple[Vec, Vec, Vec], origin: Vec) -> Statement:
     """world = x axes[0] + y axes[1] + z axes[2] + origin, as POV-Ray's row-vector matrix."""
-    return "matrix " + vector([*axes[0], *axes[1], *axes[2], *origin])
-
-
-def block(head: str, parts: Iterable[str]) -> str:
-    """``head { parts }`` on one line where it is short, else one part a line, indented."""
-    listed = [part for part in parts if part]
-    line = f"{head} {{ {' '.join(listed)} }}"
-    if len(line) <= 100 and "\n" not in line:
-        return line
-    inner = "\n".join("  " + row for part in listed for row in part.split("\n"))
-    return f"{head} {{\n{inner}\n}}"
+    return statement("matrix", vector([*axes[0], *axes[1], *axes[2], *origin]))

@@ -14,7 +14,18 @@ from vitrail.base.vector import Vec, add, dot, scale, unit
 from vitrail.geometry.placement import Frame, Placed
 from vitrail.lower.povray.bodies.meshes import mesh_parts
 from vitrail.lower.povray.bodies.normalise import Normalisation
-from vitrail.lower.povray.text.sdl import block, matrix, number, vector
+from vitrail.lower.povray.text.sdl import (
+    Block,
+    Listed,
+    Part,
+    Statement,
+    block,
+    listed,
+    matrix,
+    present,
+    statement,
+    vector,
+)
 from vitrail.scene.model import Box, Cone, Cylinder, Disc, Lens, Mesh, Plane, Prism, Rectangle, Sphere
 
 
@@ -23,7 +34,12 @@ class Primitive:
     """The keyword of a POV-Ray object and the parts that come before its texture."""
 
     keyword: str
-    parts: tuple[str, ...]
+    parts: tuple[Part, ...]
+
+    @property
+    def sdl(self) -> Block:
+        """The object without a look of its own."""
+        return Block(self.keyword, self.parts)
 
 
 def primitive(placed: Placed, normalisation: Normalisation) -> Primitive:
@@ -31,24 +47,24 @@ def primitive(placed: Placed, normalisation: Normalisation) -> Primitive:
     shape, units = placed.shape, normalisation
     match shape:
         case Sphere():
-            return Primitive("sphere", (f"{vector(units.point(shape.center))}, {number(units.length(shape.radius))}",))
+            return Primitive("sphere", (listed(vector(units.point(shape.center)), units.length(shape.radius)),))
         case Plane():
             normal = unit(shape.normal)
-            return Primitive("plane", (f"{vector(normal)}, {number(dot(normal, units.point(shape.point)))}",))
+            return Primitive("plane", (listed(vector(normal), dot(normal, units.point(shape.point))),))
         case Rectangle():
             return _rectangle(shape, units)
         case Disc():
             centre = vector(units.point(shape.center))
-            return Primitive("disc", (f"{centre}, {vector(unit(shape.normal))}, {number(units.length(shape.radius))}",))
+            return Primitive("disc", (listed(centre, vector(unit(shape.normal)), units.length(shape.radius)),))
         case Box():
-            return Primitive("box", (_corners(shape, units), _frame(placed.frame, units)))
+            return Primitive("box", present((_corners(shape, units), _frame(placed.frame, units))))
         case Cylinder():
-            ends = f"{vector(units.point(shape.from_))}, {vector(units.point(shape.to))}"
-            return Primitive("cylinder", (f"{ends}, {number(units.length(shape.radius))}",))
+            ends = (vector(units.point(shape.from_)), vector(units.point(shape.to)))
+            return Primitive("cylinder", (listed(*ends, units.length(shape.radius)),))
         case Cone():
-            first = f"{vector(units.point(shape.from_))}, {number(units.length(shape.radius_from))}"
-            last = f"{vector(units.point(shape.to))}, {number(units.length(shape.radius_to))}"
-            return Primitive("cone", (f"{first}, {last}",))
+            first = (vector(units.point(shape.from_)), units.length(shape.radius_from))
+            last = (vector(units.point(shape.to)), units.length(shape.radius_to))
+            return Primitive("cone", (listed(*first, *last),))
         case Prism():
             return _prism(shape, placed.frame, units)
         case Lens():
@@ -63,21 +79,19 @@ def _rectangle(shape: Rectangle, units: Normalisation) -> Primitive:
     """A polygon: one flat primitive, so that no seam between two triangles can leak."""
     centre, u, v = units.point(shape.center), units.vector(shape.u), units.vector(shape.v)
     corners = [add(centre, add(scale(u, a), scale(v, b))) for a, b in ((-1, -1), (1, -1), (1, 1), (-1, 1), (-1, -1))]
-    return Primitive("polygon", ("5, " + ", ".join(vector(corner) for corner in corners),))
+    return Primitive("polygon", (listed(len(corners), *map(vector, corners)),))
 
 
-def aperture(shape: Rectangle | Disc, units: Normalisation) -> str:
+def aperture(shape: Rectangle | Disc, units: Normalisation) -> Block:
     """The outline of a collimated lamp, as an object for light to pass through."""
-    made = primitive(Placed(shape, Frame()), units)
-    return block(made.keyword, made.parts)
+    return primitive(Placed(shape, Frame()), units).sdl
 
 
 def _prism(shape: Prism, frame: Frame, units: Normalisation) -> Primitive:
     """POV-Ray sweeps a profile of (x, z) along y; ours lies in x, y and is swept along z."""
     half = units.length(shape.height) / 2
-    corners = [(units.length(x), units.length(y)) for x, y in (*shape.corners, shape.corners[0])]
-    outline = ", ".join(f"<{number(x)}, {number(y)}>" for x, y in corners)
-    head = f"linear_sweep linear_spline {number(-half)}, {number(half)}, {len(corners)}, {outline}"
+    corners = [vector((units.length(x), units.length(y))) for x, y in (*shape.corners, shape.corners[0])]
+    head = statement("linear_sweep", "linear_spline", listed(-half, half, len(corners), *corners))
     # Exchange y and z, then turn and move.
     x, y, z = _axes(frame)
     return Primitive("prism", (head, matrix((x, z, y), units.point(frame.origin))))
@@ -90,17 +104,18 @@ def _lens(shape: Lens, frame: Frame, units: Normalisation) -> Primitive:
     for radius_m, side in ((shape.radius_front, -1.0), (shape.radius_back, 1.0)):
         vertex, radius = side * thickness / 2, units.length(radius_m)
         if radius > 0:
-            faces.append(f"sphere {{ <0, 0, {number(vertex - side * radius)}>, {number(radius)} }}")
+            faces.append(block("sphere", listed(vector((0, 0, vertex - side * radius)), radius)))
             ends.append(vertex + side * rim)
         elif radius < 0:
             reach = min(rim, -radius)
             sag = -radius - math.sqrt(max(0.0, radius * radius - reach * reach))
-            faces.append(f"sphere {{ <0, 0, {number(vertex - side * radius)}>, {number(-radius)} inverse }}")
+            ball = listed(vector((0, 0, vertex - side * radius)), -radius)
+            faces.append(block("sphere", ball, statement("inverse")))
             ends.append(vertex + side * sag)
         else:
             ends.append(vertex)
-    body = f"cylinder {{ <0, 0, {number(ends[0])}>, <0, 0, {number(ends[1])}>, {number(rim)} }}"
-    return Primitive("intersection", (body, *faces, _frame(frame, units)))
+    body = block("cylinder", listed(vector((0, 0, ends[0])), vector((0, 0, ends[1])), rim))
+    return Primitive("intersection", present((body, *faces, _frame(frame, units))))
 
 
 def _axes(frame: Frame) -> tuple[Vec, Vec, Vec]:
@@ -109,14 +124,14 @@ def _axes(frame: Frame) -> tuple[Vec, Vec, Vec]:
     return x, y, z
 
 
-def _corners(shape: Box, units: Normalisation) -> str:
-    return f"{vector(units.vector(shape.min))}, {vector(units.vector(shape.max))}"
+def _corners(shape: Box, units: Normalisation) -> Listed:
+    return listed(vector(units.vector(shape.min)), vector(units.vector(shape.max)))
 
 
-def _frame(frame: Frame, units: Normalisation) -> str:
-    """The frame as a matrix; nothing where the scene is neither turned nor moved."""
+def _frame(frame: Frame, units: Normalisation) -> Statement | None:
+    """The frame as a matrix; None where the scene is neither turned nor moved."""
     origin = units.point(frame.origin)
     axes = _axes(frame)
     if axes == ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)) and origin == (0.0, 0.0, 0.0):
-        return ""
+        return None
     return matrix(axes, origin)

@@ -23,7 +23,7 @@ from vitrail.images.sky import read_sky
 from vitrail.lower.povray.refusals.refusal import NotTranslatable, Refusals
 from vitrail.lower.povray.text.emitters import Grid, sphere_cells
 from vitrail.lower.povray.text.exposure import Exposure, Triplet
-from vitrail.lower.povray.text.sdl import block
+from vitrail.lower.povray.text.sdl import Block, Product, Quoted, block, statement
 from vitrail.scene.diagnostic import Diagnostic
 from vitrail.scene.model import Scene
 
@@ -41,10 +41,10 @@ class SkyPicture:
     pixels: np.ndarray
 
     @property
-    def sdl(self) -> str:
+    def sdl(self) -> Block:
         """The sky all around: the image turned so that its middle is +z."""
-        pigment = block("pigment", [f'image_map {{ exr "{self.name}" map_type 1 }}', "rotate 90*y"])
-        return block("sky_sphere", [pigment])
+        image = block("image_map", statement("exr", Quoted(self.name)), statement("map_type", 1))
+        return block("sky_sphere", block("pigment", image, statement("rotate", Product(90, "y"))))
 
 
 @dataclass(frozen=True, eq=False)

@@ -8,6 +8,7 @@ from vitrail.geometry.placement import Placed
 from vitrail.lower.povray.bodies.normalise import Normalisation
 from vitrail.lower.povray.text.exposure import Exposure, Triplet
 from vitrail.lower.povray.text.roughness import Bumps
+from vitrail.lower.povray.text.sdl import Statement, statement
 from vitrail.scene.model import Material
 
 GREY_SLACK = 1e-12
@@ -27,9 +28,10 @@ class Surface:
     seen: float = 1.0
 
     @property
-    def scatters(self) -> str:
+    def scatters(self) -> tuple[Statement, ...]:
         """The finish of a scattering texture, which also answers to the scene's ambient irradiance."""
-        return "ambient 1 diffuse 1" if self.has_ambient else "diffuse 1"
+        diffuse = statement("diffuse", 1)
+        return (statement("ambient", 1), diffuse) if self.has_ambient else (diffuse,)
 
     @property
     def pool(self) -> Triplet:
