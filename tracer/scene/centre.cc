@@ -8,34 +8,9 @@ namespace vitrail {
 
 namespace {
 
-/// Where a shape is and how large, roughly; nothing for shapes without an end.
-struct Place {
-  Vec3 centre;
-  double size = 0;
-};
-
-Place place_between(Vec3 a, Vec3 b, double margin) {
-  return {(a + b) * 0.5, std::max(largest_coordinate(b - a), margin)};
+std::optional<Place> place_of(const Shape& shape) {
+  return std::visit([](const auto& one) { return one.place(); }, shape);
 }
-
-struct PlaceOf {
-  std::optional<Place> operator()(const SphereShape& s) const { return Place{s.center, s.radius}; }
-  std::optional<Place> operator()(const PlaneShape&) const { return {}; }
-  std::optional<Place> operator()(const RectangleShape& s) const {
-    return Place{s.center, std::max(largest_coordinate(s.u), largest_coordinate(s.v))};
-  }
-  std::optional<Place> operator()(const DiscShape& s) const { return Place{s.center, s.radius}; }
-  std::optional<Place> operator()(const BoxShape& s) const {
-    return Place{s.frame.point_to_world((s.min + s.max) * 0.5), largest_coordinate(s.max - s.min)};
-  }
-  std::optional<Place> operator()(const CylinderShape& s) const { return place_between(s.from, s.to, s.radius); }
-  std::optional<Place> operator()(const ConeShape& s) const {
-    return place_between(s.from, s.to, std::max(s.radius_from, s.radius_to));
-  }
-  std::optional<Place> operator()(const PrismShape& s) const { return Place{s.frame.origin, s.height}; }
-  std::optional<Place> operator()(const LensShape& s) const { return Place{s.frame.origin, s.diameter}; }
-  std::optional<Place> operator()(const MeshShape&) const { return {}; }  // its file is not read here
-};
 
 /// Planes only: stand where the camera stands, in units of its distance to the planes.
 Place place_of_camera(const Scene& scene) {
@@ -67,29 +42,13 @@ Vec3 weighted_centre(const std::vector<Place>& places, double& spread) {
   return centre;
 }
 
-void move(Vec3& point, Vec3 shift) { point = point - shift; }
-
-struct MoveShape {
-  Vec3 shift;
-  void operator()(SphereShape& s) const { move(s.center, shift); }
-  void operator()(PlaneShape& s) const { move(s.point, shift); }
-  void operator()(RectangleShape& s) const { move(s.center, shift); }
-  void operator()(DiscShape& s) const { move(s.center, shift); }
-  void operator()(BoxShape& s) const { move(s.frame.origin, shift); }
-  void operator()(CylinderShape& s) const { move(s.from, shift), move(s.to, shift); }
-  void operator()(ConeShape& s) const { move(s.from, shift), move(s.to, shift); }
-  void operator()(PrismShape& s) const { move(s.frame.origin, shift); }
-  void operator()(LensShape& s) const { move(s.frame.origin, shift); }
-  void operator()(MeshShape& s) const { move(s.frame.origin, shift); }
-};
-
 struct MoveEmitter {
-  Vec3 shift;
+  Vec3 by;
   void operator()(DirectionalLight&) const {}
-  void operator()(PointLight& l) const { move(l.position, shift); }
-  void operator()(SpotLight& l) const { move(l.position, shift); }
-  void operator()(AreaLight& l) const {
-    std::visit([&](auto& shape) { move(shape.center, shift); }, l.shape);
+  void operator()(PointLight& light) const { light.position += by; }
+  void operator()(SpotLight& light) const { light.position += by; }
+  void operator()(AreaLight& light) const {
+    std::visit([&](auto& shape) { shape.move(by); }, light.shape);
   }
   void operator()(EnvironmentLight&) const {}
 };
@@ -99,7 +58,7 @@ struct MoveEmitter {
 void centre_scene(Scene& scene) {
   std::vector<Place> places;
   for (const Object& object : scene.objects)
-    if (const std::optional<Place> place = std::visit(PlaceOf{}, object.shape)) places.push_back(*place);
+    if (const std::optional<Place> place = place_of(object.shape)) places.push_back(*place);
   if (places.empty()) places.push_back(place_of_camera(scene));
   for (const Place& place : places)
     if (!(place.size > 0)) return;
@@ -114,9 +73,9 @@ void centre_scene(Scene& scene) {
   if (shift == Vec3{}) return;
 
   scene.shift = scene.shift + shift;
-  move(scene.camera.position, shift);
-  for (Object& object : scene.objects) std::visit(MoveShape{shift}, object.shape);
-  for (Light& light : scene.lights) std::visit(MoveEmitter{shift}, light.emitter);
+  scene.camera.position += -shift;
+  for (Object& object : scene.objects) std::visit([&](auto& shape) { shape.move(-shift); }, object.shape);
+  for (Light& light : scene.lights) std::visit(MoveEmitter{-shift}, light.emitter);
 }
 
 }  // namespace vitrail

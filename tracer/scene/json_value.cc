@@ -9,7 +9,8 @@ namespace {
 
 const nlohmann::json kNothing;
 
-std::string listed(std::initializer_list<const char*> words) {
+template <typename Words>
+std::string listed(const Words& words) {
   std::string text;
   for (const char* word : words) text += (text.empty() ? "" : ", ") + std::string(word);
   return text;
@@ -34,22 +35,23 @@ bool JsonValue::object(std::initializer_list<const char*> required, std::initial
   for (const auto& item : value_->items()) {
     const auto same = [&](const char* key) { return item.key() == key; };
     if (std::none_of(required.begin(), required.end(), same) && std::none_of(optional.begin(), optional.end(), same))
-      faults_->push_back({path_ + "." + item.key(), "is unknown",
-                          "the keys here are " + listed(required) + (optional.size() ? ", " : "") + listed(optional)});
+      reading_.faults.push_back(
+          {path_ + "." + item.key(), "is unknown",
+           "the keys here are " + listed(required) + (optional.size() ? ", " : "") + listed(optional)});
   }
   for (const char* key : required)
-    if (!value_->contains(key)) faults_->push_back({path_ + "." + key, "is missing", "add it"});
+    if (!value_->contains(key)) reading_.faults.push_back({path_ + "." + key, "is missing", "add it"});
   return true;
 }
 
 JsonValue JsonValue::at(const char* key) const {
   const std::string path = path_.empty() ? key : path_ + "." + key;
-  if (value_->is_object() && value_->contains(key)) return {(*value_)[key], path, *faults_};
+  if (value_->is_object() && value_->contains(key)) return {(*value_)[key], path, reading_};
 
   // A missing key has been noted by object(); what is read from it stays silent.
   static thread_local Faults ignored;
   ignored.clear();
-  return {kNothing, path, ignored};
+  return {kNothing, path, {reading_.folder, ignored}};
 }
 
 std::vector<JsonValue> JsonValue::array(int size) const {
@@ -59,7 +61,7 @@ std::vector<JsonValue> JsonValue::array(int size) const {
     return values;
   }
   for (std::size_t i = 0; i < value_->size(); ++i)
-    values.emplace_back((*value_)[i], path_ + "[" + std::to_string(i) + "]", *faults_);
+    values.emplace_back((*value_)[i], path_ + "[" + std::to_string(i) + "]", reading_);
   return values;
 }
 
@@ -103,14 +105,15 @@ std::string JsonValue::string() const {
   return "";
 }
 
-int JsonValue::word(std::initializer_list<const char*> words) const {
+std::string JsonValue::file() const {
+  const std::string name = string();
+  return name.empty() || name.front() == '/' || reading_.folder.empty() ? name : reading_.folder + "/" + name;
+}
+
+std::size_t JsonValue::position_in(const std::vector<const char*>& words) const {
   if (value_->is_string()) {
-    const auto& text = value_->get_ref<const std::string&>();
-    int position = 0;
-    for (const char* word : words) {
-      if (text == word) return position;
-      ++position;
-    }
+    const auto found = std::find(words.begin(), words.end(), value_->get_ref<const std::string&>());
+    if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
   }
   fault("is " + shown(*value_), "write one of " + listed(words));
   return 0;

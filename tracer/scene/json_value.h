@@ -27,14 +27,29 @@ struct Range {
   static Range share() { return {0, 1}; }
 };
 
+/// A word of the scene file and what it stands for: a value, or the reader of a kind of part.
+template <typename Value>
+struct Choice {
+  const char* word;
+  Value value;
+};
+
+/// What all values of one file share: where its relative file names begin, and the faults found so far.
+struct Reading {
+  const std::string& folder;
+  Faults& faults;
+};
+
 /// Reading never stops at a fault: it is noted, and a harmless value stands in, so that one run finds every fault.
 class JsonValue {
  public:
-  JsonValue(const nlohmann::json& value, std::string path, Faults& faults)
-      : value_(&value), path_(std::move(path)), faults_(&faults) {}
+  JsonValue(const nlohmann::json& value, std::string path, Reading reading)
+      : value_(&value), path_(std::move(path)), reading_(reading) {}
 
   const std::string& path() const { return path_; }
-  void fault(const std::string& what, const std::string& remedy) const { faults_->push_back({path_, what, remedy}); }
+  void fault(const std::string& what, const std::string& remedy) const {
+    reading_.faults.push_back({path_, what, remedy});
+  }
 
   /// An object that has exactly these keys, the optional ones or not. False (and noted) if it is no object.
   bool object(std::initializer_list<const char*> required, std::initializer_list<const char*> optional = {}) const;
@@ -53,17 +68,27 @@ class JsonValue {
   std::uint64_t count() const;  // any whole number of 64 bits, not negative
   bool boolean() const;
   std::string string() const;
-  /// The position of a word in the list.
-  int word(std::initializer_list<const char*> words) const;
+  /// A file name as given if absolute, else beside the file that is read.
+  std::string file() const;
+  /// What a word stands for in a table of choices; the first where the word is in none.
+  template <typename Value, std::size_t count>
+  Value choice(const Choice<Value> (&choices)[count]) const {
+    std::vector<const char*> words;
+    for (const Choice<Value>& one : choices) words.push_back(one.word);
+    return choices[position_in(words)].value;
+  }
 
   Vec3 vector() const;
   Vec3 unit_vector() const;  // of length 1 within 1e-9, returned with length 1 to rounding
   Rgb colour(Range range = Range::not_negative()) const;
 
  private:
+  /// The position of this word in a list; 0 (and noted) if it is none of them.
+  std::size_t position_in(const std::vector<const char*>& words) const;
+
   const nlohmann::json* value_;
   std::string path_;
-  Faults* faults_;
+  Reading reading_;
 };
 
 }  // namespace vitrail

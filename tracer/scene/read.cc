@@ -15,8 +15,8 @@ namespace {
 Camera read_camera(const JsonValue& value) {
   Camera camera;
   value.object({"kind", "position", "forward", "right", "up", "half_width", "half_height"});
-  camera.kind =
-      value.at("kind").word({"perspective", "orthographic"}) == 0 ? CameraKind::perspective : CameraKind::orthographic;
+  camera.kind = value.at("kind").choice<CameraKind>(
+      {{"perspective", CameraKind::perspective}, {"orthographic", CameraKind::orthographic}});
   camera.position = value.at("position").vector();
   camera.forward = value.at("forward").unit_vector();
   camera.right = value.at("right").unit_vector();
@@ -57,7 +57,7 @@ Transport read_transport(const JsonValue& value) {
     transport.indirect = Indirect::ambient;
     transport.ambient = indirect.at("ambient").colour();
   } else {
-    transport.indirect = indirect.word({"none", "photons"}) == 0 ? Indirect::none : Indirect::photons;
+    transport.indirect = indirect.choice<Indirect>({{"none", Indirect::none}, {"photons", Indirect::photons}});
   }
   transport.max_reflections = static_cast<int>(value.at("max_reflections").integer(0, 1000000));
   transport.max_transmissions = static_cast<int>(value.at("max_transmissions").integer(0, 1000000));
@@ -69,18 +69,20 @@ Paper read_paper(const JsonValue& value) {
   value.object(
       {"tir", "refraction", "literal_sum", "dispersion", "dispersion_reference", "disperse_camera", "rough_samples"},
       {"count_transmission", "shadow", "rough_photons"});
-  paper.tir_drop = value.at("tir").word({"reflect", "drop"}) == 1;
-  paper.refraction_literal = value.at("refraction").word({"corrected", "literal"}) == 1;
+  paper.tir_drop = value.at("tir").choice<bool>({{"reflect", false}, {"drop", true}});
+  paper.refraction_literal = value.at("refraction").choice<bool>({{"corrected", false}, {"literal", true}});
   paper.literal_sum = value.at("literal_sum").boolean();
-  paper.dispersion_span = value.at("dispersion").word({"step", "span"}) == 1;
+  paper.dispersion_span = value.at("dispersion").choice<bool>({{"step", false}, {"span", true}});
+  using Reference = Paper::DispersionReference;
   paper.dispersion_reference =
-      static_cast<Paper::DispersionReference>(value.at("dispersion_reference").word({"red", "d_line", "middle"}));
+      value.at("dispersion_reference")
+          .choice<Reference>({{"red", Reference::red}, {"d_line", Reference::d_line}, {"middle", Reference::middle}});
   paper.disperse_camera = value.at("disperse_camera").boolean();
   paper.rough_samples = static_cast<int>(value.at("rough_samples").integer(1, 1000000));
   paper.count_transmission = value.has("count_transmission") && value.at("count_transmission").boolean();
-  paper.shadow_filter = value.has("shadow") && value.at("shadow").word({"opaque", "filter"}) == 1;
+  paper.shadow_filter = value.has("shadow") && value.at("shadow").choice<bool>({{"opaque", false}, {"filter", true}});
   paper.rough_photons_literal =
-      value.has("rough_photons") && value.at("rough_photons").word({"reciprocal", "literal"}) == 1;
+      value.has("rough_photons") && value.at("rough_photons").choice<bool>({{"reciprocal", false}, {"literal", true}});
   return paper;
 }
 
@@ -88,17 +90,17 @@ Plan read_plan(const JsonValue& value) {
   value.object({"diffusion", "reflection", "refraction", "total_internal_reflection", "coloured_transmission",
                 "absorption", "caustic", "roughness", "dispersion", "shadow", "indirect_light"});
   const auto on = [&](const char* phenomenon) { return value.at(phenomenon).boolean(); };
-  return {on("diffusion"),
-          on("reflection"),
-          on("refraction"),
-          on("total_internal_reflection"),
-          on("coloured_transmission"),
-          on("absorption"),
-          on("caustic"),
-          on("roughness"),
-          on("dispersion"),
-          on("shadow"),
-          on("indirect_light")};
+  return {.diffusion = on("diffusion"),
+          .reflection = on("reflection"),
+          .refraction = on("refraction"),
+          .total_internal_reflection = on("total_internal_reflection"),
+          .coloured_transmission = on("coloured_transmission"),
+          .absorption = on("absorption"),
+          .caustic = on("caustic"),
+          .roughness = on("roughness"),
+          .dispersion = on("dispersion"),
+          .shadow = on("shadow"),
+          .indirect_light = on("indirect_light")};
 }
 
 Settings read_settings(const JsonValue& value) {
@@ -117,18 +119,18 @@ Settings read_settings(const JsonValue& value) {
   return settings;
 }
 
-Object read_object(const JsonValue& value, std::size_t materials, const std::string& folder) {
+Object read_object(const JsonValue& value, std::size_t materials) {
   Object object;
   value.object({"name", "material", "priority", "shape"});
   object.name = value.at("name").string();
   const auto last = static_cast<std::int64_t>(materials) - 1;
   object.material = static_cast<std::uint32_t>(value.at("material").integer(0, last < 0 ? 0 : last));
   object.priority = static_cast<int>(value.at("priority").integer(-1000000, 1000000));
-  object.shape = read_shape(value.at("shape"), folder);
+  object.shape = read_shape(value.at("shape"));
   return object;
 }
 
-Scene read_parts(const JsonValue& root, const std::string& folder) {
+Scene read_parts(const JsonValue& root) {
   Scene scene;
   root.object({"vitrail_lowered", "title", "scene_hash", "image", "camera", "bands", "materials", "objects", "lights",
                "transport", "paper", "plan", "settings"});
@@ -144,8 +146,8 @@ Scene read_parts(const JsonValue& root, const std::string& folder) {
   for (const JsonValue& item : root.at("materials").array())
     scene.materials.push_back(read_material(item, scene.bands.size()));
   for (const JsonValue& item : root.at("objects").array())
-    scene.objects.push_back(read_object(item, scene.materials.size(), folder));
-  for (const JsonValue& item : root.at("lights").array()) scene.lights.push_back(read_light(item, folder));
+    scene.objects.push_back(read_object(item, scene.materials.size()));
+  for (const JsonValue& item : root.at("lights").array()) scene.lights.push_back(read_light(item));
   scene.transport = read_transport(root.at("transport"));
   scene.paper = read_paper(root.at("paper"));
   scene.plan = read_plan(root.at("plan"));
@@ -166,7 +168,7 @@ Scene parse_scene(const std::string& text, const std::string& folder) {
   // Collect all faults of form first; the rules between parts make sense only for well-formed parts.
   Faults faults;
   if (!document.is_object()) throw InputError({{"scene", "is not an object", "write a lowered scene"}});
-  Scene scene = read_parts(JsonValue(document, "scene", faults), folder);
+  Scene scene = read_parts(JsonValue(document, "scene", {folder, faults}));
   if (faults.empty()) faults = validate(scene);
   if (!faults.empty()) throw InputError(faults);
   return scene;

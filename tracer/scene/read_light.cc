@@ -4,7 +4,34 @@ namespace vitrail {
 
 namespace {
 
-AreaLight read_area(const JsonValue& value) {
+Emitter read_directional(const JsonValue& value) {
+  value.object({"name", "kind", "direction", "irradiance", "angular_diameter_deg"});
+  return DirectionalLight{value.at("direction").unit_vector(), value.at("irradiance").colour(),
+                          value.at("angular_diameter_deg").number({0, 90})};
+}
+
+Emitter read_point(const JsonValue& value) {
+  value.object({"name", "kind", "position", "intensity"});
+  return PointLight{value.at("position").vector(), value.at("intensity").colour()};
+}
+
+Emitter read_spot(const JsonValue& value) {
+  value.object({"name", "kind", "position", "direction", "intensity", "cone_deg"});
+  return SpotLight{value.at("position").vector(), value.at("direction").unit_vector(), value.at("intensity").colour(),
+                   value.at("cone_deg").number({0, 180, true})};
+}
+
+using Lamp = decltype(AreaLight::shape);
+
+template <typename Part>
+Lamp read_lamp(const JsonValue& value) {
+  return Part::read(value);
+}
+
+constexpr Choice<Lamp (*)(const JsonValue&)> kLamps[] = {{"rectangle", read_lamp<RectangleShape>},
+                                                         {"disc", read_lamp<DiscShape>}};
+
+Emitter read_area(const JsonValue& value) {
   AreaLight light;
   light.collimated = value.has("collimated") && value.at("collimated").boolean();
   if (light.collimated) {
@@ -16,21 +43,18 @@ AreaLight read_area(const JsonValue& value) {
   }
 
   const JsonValue shape = value.at("shape");
-  if (!shape.has("kind")) {
+  if (shape.has("kind"))
+    light.shape = shape.at("kind").choice(kLamps)(shape);
+  else
     shape.fault("has no `kind`", "write a rectangle or a disc");
-  } else if (shape.at("kind").word({"rectangle", "disc"}) == 0) {
-    light.shape = read_rectangle(shape);
-  } else {
-    light.shape = read_disc(shape);
-  }
   return light;
 }
 
-EnvironmentLight read_environment(const JsonValue& value, const std::string& folder) {
+Emitter read_environment(const JsonValue& value) {
   EnvironmentLight light;
   if (value.has("file")) {
     value.object({"name", "kind", "file"});
-    light.file = beside(folder, value.at("file").string());
+    light.file = value.at("file").file();
     light.radiance = {1, 1, 1};
   } else {
     value.object({"name", "kind", "radiance"});
@@ -39,35 +63,21 @@ EnvironmentLight read_environment(const JsonValue& value, const std::string& fol
   return light;
 }
 
-Emitter read_emitter(const JsonValue& value, const std::string& folder) {
-  switch (value.at("kind").word({"directional", "point", "spot", "area", "environment"})) {
-    case 1:
-      value.object({"name", "kind", "position", "intensity"});
-      return PointLight{value.at("position").vector(), value.at("intensity").colour()};
-    case 2:
-      value.object({"name", "kind", "position", "direction", "intensity", "cone_deg"});
-      return SpotLight{value.at("position").vector(), value.at("direction").unit_vector(),
-                       value.at("intensity").colour(), value.at("cone_deg").number({0, 180, true})};
-    case 3:
-      return read_area(value);
-    case 4:
-      return read_environment(value, folder);
-    default:
-      break;
-  }
-  value.object({"name", "kind", "direction", "irradiance", "angular_diameter_deg"});
-  return DirectionalLight{value.at("direction").unit_vector(), value.at("irradiance").colour(),
-                          value.at("angular_diameter_deg").number({0, 90})};
-}
+constexpr Choice<Emitter (*)(const JsonValue&)> kEmitters[] = {{"directional", read_directional},
+                                                               {"point", read_point},
+                                                               {"spot", read_spot},
+                                                               {"area", read_area},
+                                                               {"environment", read_environment}};
+static_assert(std::size(kEmitters) == std::variant_size_v<Emitter>, "every light has a name in the scene file");
 
 }  // namespace
 
-Light read_light(const JsonValue& value, const std::string& folder) {
+Light read_light(const JsonValue& value) {
   if (!value.is_object() || !value.has("kind")) {
     value.fault("has no `kind`", "write one of directional, point, spot, area, environment");
     return {};
   }
-  return {value.at("name").string(), read_emitter(value, folder)};
+  return {value.at("name").string(), value.at("kind").choice(kEmitters)(value)};
 }
 
 }  // namespace vitrail

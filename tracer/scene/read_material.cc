@@ -18,22 +18,31 @@ Texture read_texture(const JsonValue& value, Range range) {
   return checker;
 }
 
+Roughness read_smooth(const JsonValue& value) {
+  value.object({"kind"});
+  return NoRoughness{};
+}
+
+Roughness read_equation_8(const JsonValue& value) {
+  value.object({"kind", "value"});
+  return Equation8{value.at("value").number(Range::share())};
+}
+
+Roughness read_ggx(const JsonValue& value) {
+  value.object({"kind", "alpha"});
+  return Ggx{value.at("alpha").number({0, 1, true})};
+}
+
+constexpr Choice<Roughness (*)(const JsonValue&)> kRoughness[] = {
+    {"none", read_smooth}, {"equation_8", read_equation_8}, {"ggx", read_ggx}};
+static_assert(std::size(kRoughness) == std::variant_size_v<Roughness>, "every roughness has a name in the scene file");
+
 Roughness read_roughness(const JsonValue& value) {
   if (!value.is_object() || !value.has("kind")) {
     value.fault("has no `kind`", "write {\"kind\": \"none\"} for a smooth face");
     return NoRoughness{};
   }
-  switch (value.at("kind").word({"none", "equation_8", "ggx"})) {
-    case 1:
-      value.object({"kind", "value"});
-      return Equation8{value.at("value").number(Range::share())};
-    case 2:
-      value.object({"kind", "alpha"});
-      return Ggx{value.at("alpha").number({0, 1, true})};
-    default:
-      value.object({"kind"});
-      return NoRoughness{};
-  }
+  return value.at("kind").choice(kRoughness)(value);
 }
 
 std::vector<double> read_indices(const JsonValue& value, std::size_t bands, Range range) {

@@ -9,12 +9,6 @@
 namespace vitrail {
 
 Material read_material(const JsonValue& value, std::size_t bands);
-Shape read_shape(const JsonValue& value, const std::string& folder);
-RectangleShape read_rectangle(const JsonValue& value);
-DiscShape read_disc(const JsonValue& value);
-Light read_light(const JsonValue& value, const std::string& folder);
-
-/// A file name as given if absolute, else beside the JSON.
-std::string beside(const std::string& folder, const std::string& file);
+Light read_light(const JsonValue& value);
 
 }  // namespace vitrail

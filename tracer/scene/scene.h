@@ -10,8 +10,8 @@
 #include <variant>
 #include <vector>
 
-#include "base/frame.h"
 #include "base/vec3.h"
+#include "scene/shape.h"
 #include "scene/sky_image.h"
 
 namespace vitrail {
@@ -76,58 +76,7 @@ struct Material {
   bool transmits() const { return !is_black(transmission); }
 };
 
-// --- shapes ----------------------------------------------------------------------------------------------------------
-
-struct SphereShape {
-  Vec3 center;
-  double radius = 1;
-};
-/// Infinite; as a glass object the half-space below its normal.
-struct PlaneShape {
-  Vec3 point, normal;
-};
-/// center + a u + b v for a, b in [-1, 1]; normal u x v.
-struct RectangleShape {
-  Vec3 center, u, v;
-};
-struct DiscShape {
-  Vec3 center, normal;
-  double radius = 1;
-};
-struct BoxShape {
-  Vec3 min, max;
-  Frame frame;
-};
-/// Closed by its two end discs.
-struct CylinderShape {
-  Vec3 from, to;
-  double radius = 1;
-};
-/// A closed frustum; one of the radii may be 0.
-struct ConeShape {
-  Vec3 from, to;
-  double radius_from = 1, radius_to = 0;
-};
-/// A polygon in x, y (counter-clockwise) extruded along z from -height/2 to height/2.
-struct PrismShape {
-  std::vector<std::array<double, 2>> corners;
-  double height = 1;
-  Frame frame;
-};
-/// Two spherical faces about the z axis and a cylindrical rim, centred on the origin. The front faces -z, the back +z;
-/// a positive radius is convex, a negative one concave, 0 is flat. `thickness` is at the axis.
-struct LensShape {
-  double radius_front = 0, radius_back = 0, thickness = 1, diameter = 1;
-  Frame frame;
-};
-/// Triangles from a PLY or OBJ file; closed and outward where the material transmits.
-struct MeshShape {
-  std::string file;  // resolved against the folder of the JSON
-  bool smooth = true;
-  Frame frame;
-};
-using Shape = std::variant<SphereShape, PlaneShape, RectangleShape, DiscShape, BoxShape, CylinderShape, ConeShape,
-                           PrismShape, LensShape, MeshShape>;
+// --- objects ---------------------------------------------------------------------------------------------------------
 
 struct Object {
   std::string name;

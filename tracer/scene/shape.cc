@@ -1,6 +1,9 @@
+#include "scene/shape.h"
+
+#include <algorithm>
 #include <cmath>
 
-#include "scene/read_parts.h"
+#include "scene/json_value.h"
 
 namespace vitrail {
 
@@ -25,7 +28,61 @@ Frame read_frame(const JsonValue& value) {
   return frame;
 }
 
-BoxShape read_box(const JsonValue& value) {
+void refuse_same_ends(const JsonValue& value, Vec3 from, Vec3 to) {
+  if (value.has("from") && value.has("to") && !(length_squared(to - from) > 0))
+    value.fault("has the same point for `from` and `to`", "move one of them");
+}
+
+Place place_between(Vec3 a, Vec3 b, double margin) {
+  return {(a + b) * 0.5, std::max(largest_coordinate(b - a), margin)};
+}
+
+template <typename Part>
+Shape read_as(const JsonValue& value) {
+  return Part::read(value);
+}
+
+using Reader = Shape (*)(const JsonValue&);
+
+constexpr Choice<Reader> kReaders[] = {
+    {"sphere", read_as<SphereShape>}, {"plane", read_as<PlaneShape>}, {"rectangle", read_as<RectangleShape>},
+    {"disc", read_as<DiscShape>},     {"box", read_as<BoxShape>},     {"cylinder", read_as<CylinderShape>},
+    {"cone", read_as<ConeShape>},     {"prism", read_as<PrismShape>}, {"lens", read_as<LensShape>},
+    {"mesh", read_as<MeshShape>},
+};
+static_assert(std::size(kReaders) == std::variant_size_v<Shape>, "every shape has a name in the scene file");
+
+}  // namespace
+
+SphereShape SphereShape::read(const JsonValue& value) {
+  value.object({"kind", "center", "radius"});
+  return {value.at("center").vector(), value.at("radius").number(Range::positive())};
+}
+
+PlaneShape PlaneShape::read(const JsonValue& value) {
+  value.object({"kind", "point", "normal"});
+  return {value.at("point").vector(), value.at("normal").unit_vector()};
+}
+
+RectangleShape RectangleShape::read(const JsonValue& value) {
+  value.object({"kind", "center", "u", "v"});
+  const RectangleShape shape{value.at("center").vector(), value.at("u").vector(), value.at("v").vector()};
+  const double size = length(shape.u) * length(shape.v);
+  if (value.has("u") && value.has("v") && !(size > 0 && std::abs(dot(shape.u, shape.v)) <= 1e-9 * size))
+    value.fault("has half edges that are zero or not perpendicular", "write two perpendicular vectors u and v");
+  return shape;
+}
+
+std::optional<Place> RectangleShape::place() const {
+  return Place{center, std::max(largest_coordinate(u), largest_coordinate(v))};
+}
+
+DiscShape DiscShape::read(const JsonValue& value) {
+  value.object({"kind", "center", "normal", "radius"});
+  return {value.at("center").vector(), value.at("normal").unit_vector(), value.at("radius").number(Range::positive())};
+}
+
+BoxShape BoxShape::read(const JsonValue& value) {
   value.object({"kind", "min", "max", "frame"});
   BoxShape box{value.at("min").vector(), value.at("max").vector(), read_frame(value.at("frame"))};
   if (value.has("min") && value.has("max") &&
@@ -34,19 +91,20 @@ BoxShape read_box(const JsonValue& value) {
   return box;
 }
 
-void refuse_same_ends(const JsonValue& value, Vec3 from, Vec3 to) {
-  if (value.has("from") && value.has("to") && !(length_squared(to - from) > 0))
-    value.fault("has the same point for `from` and `to`", "move one of them");
+std::optional<Place> BoxShape::place() const {
+  return Place{frame.point_to_world((min + max) * 0.5), largest_coordinate(max - min)};
 }
 
-CylinderShape read_cylinder(const JsonValue& value) {
+CylinderShape CylinderShape::read(const JsonValue& value) {
   value.object({"kind", "from", "to", "radius"});
   CylinderShape shape{value.at("from").vector(), value.at("to").vector(), value.at("radius").number(Range::positive())};
   refuse_same_ends(value, shape.from, shape.to);
   return shape;
 }
 
-ConeShape read_cone(const JsonValue& value) {
+std::optional<Place> CylinderShape::place() const { return place_between(from, to, radius); }
+
+ConeShape ConeShape::read(const JsonValue& value) {
   value.object({"kind", "from", "to", "radius_from", "radius_to"});
   ConeShape shape{value.at("from").vector(), value.at("to").vector(),
                   value.at("radius_from").number(Range::not_negative()),
@@ -56,7 +114,9 @@ ConeShape read_cone(const JsonValue& value) {
   return shape;
 }
 
-PrismShape read_prism(const JsonValue& value) {
+std::optional<Place> ConeShape::place() const { return place_between(from, to, std::max(radius_from, radius_to)); }
+
+PrismShape PrismShape::read(const JsonValue& value) {
   value.object({"kind", "corners", "height", "frame"});
   PrismShape shape;
   const JsonValue corners = value.at("corners");
@@ -79,7 +139,7 @@ PrismShape read_prism(const JsonValue& value) {
   return shape;
 }
 
-LensShape read_lens(const JsonValue& value) {
+LensShape LensShape::read(const JsonValue& value) {
   value.object({"kind", "radius_front", "radius_back", "thickness", "diameter", "frame"});
   LensShape lens{value.at("radius_front").number(), value.at("radius_back").number(),
                  value.at("thickness").number(Range::positive()), value.at("diameter").number(Range::positive()),
@@ -102,62 +162,17 @@ LensShape read_lens(const JsonValue& value) {
   return lens;
 }
 
-MeshShape read_mesh(const JsonValue& value, const std::string& folder) {
+MeshShape MeshShape::read(const JsonValue& value) {
   value.object({"kind", "file", "smooth", "frame"});
-  return {beside(folder, value.at("file").string()), value.at("smooth").boolean(), read_frame(value.at("frame"))};
+  return {value.at("file").file(), value.at("smooth").boolean(), read_frame(value.at("frame"))};
 }
 
-}  // namespace
-
-std::string beside(const std::string& folder, const std::string& file) {
-  return file.empty() || file.front() == '/' || folder.empty() ? file : folder + "/" + file;
-}
-
-RectangleShape read_rectangle(const JsonValue& value) {
-  value.object({"kind", "center", "u", "v"});
-  const RectangleShape shape{value.at("center").vector(), value.at("u").vector(), value.at("v").vector()};
-  const double size = length(shape.u) * length(shape.v);
-  if (value.has("u") && value.has("v") && !(size > 0 && std::abs(dot(shape.u, shape.v)) <= 1e-9 * size))
-    value.fault("has half edges that are zero or not perpendicular", "write two perpendicular vectors u and v");
-  return shape;
-}
-
-DiscShape read_disc(const JsonValue& value) {
-  value.object({"kind", "center", "normal", "radius"});
-  return {value.at("center").vector(), value.at("normal").unit_vector(), value.at("radius").number(Range::positive())};
-}
-
-Shape read_shape(const JsonValue& value, const std::string& folder) {
+Shape read_shape(const JsonValue& value) {
   if (!value.is_object() || !value.has("kind")) {
     value.fault("has no `kind`", "write an object with its kind and dimensions");
     return SphereShape{};
   }
-  switch (value.at("kind").word(
-      {"sphere", "plane", "rectangle", "disc", "box", "cylinder", "cone", "prism", "lens", "mesh"})) {
-    case 1:
-      value.object({"kind", "point", "normal"});
-      return PlaneShape{value.at("point").vector(), value.at("normal").unit_vector()};
-    case 2:
-      return read_rectangle(value);
-    case 3:
-      return read_disc(value);
-    case 4:
-      return read_box(value);
-    case 5:
-      return read_cylinder(value);
-    case 6:
-      return read_cone(value);
-    case 7:
-      return read_prism(value);
-    case 8:
-      return read_lens(value);
-    case 9:
-      return read_mesh(value, folder);
-    default:
-      break;
-  }
-  value.object({"kind", "center", "radius"});
-  return SphereShape{value.at("center").vector(), value.at("radius").number(Range::positive())};
+  return value.at("kind").choice(kReaders)(value);
 }
 
 }  // namespace vitrail
