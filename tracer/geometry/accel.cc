@@ -32,6 +32,7 @@ struct Intersector::State {
   Bounds bounds;
   std::uint64_t primitive_count = 0;
 
+  explicit State(const Scene& asked) : scene(asked) {}
   void choose_search(Search search);
   Nearest nearest(const Ray& ray, const Departures& departures) const;
   void leave_mesh(const Ray& ray, const Departure& left, Nearest& found) const;
@@ -40,12 +41,6 @@ struct Intersector::State {
 };
 
 namespace {
-
-const Departure* departure_of(const Departures& departures, std::uint32_t object) {
-  for (const Departure& left : departures)
-    if (left.object == object) return &left;
-  return nullptr;
-}
 
 std::uint64_t part_count(const Primitive& primitive) {
   const auto* mesh = std::get_if<Mesh>(&primitive);
@@ -121,17 +116,21 @@ void Intersector::State::leave_mesh(const Ray& ray, const Departure& left, Neare
 Vec3 Intersector::State::add_crossing(const Ray& ray, const Nearest::Candidate& candidate, Hit& hit) const {
   const Primitive& primitive = primitives[candidate.object];
   const SurfacePoint at = surface(primitive, ray.at(candidate.t), candidate.face);
+  const auto* mesh = std::get_if<Mesh>(&primitive);
   hit.crossings.push_back(
-      {candidate.t, candidate.object, candidate.face, candidate.entering, false, at.s, at.q, at.normal, at.normal});
-  if (const auto* mesh = std::get_if<Mesh>(&primitive)) {
-    Crossing& crossing = hit.crossings[hit.crossings.size() - 1];
-    crossing.counted = true;
-    crossing.shading_normal = mesh->shading_normal(at.point, candidate.face);
-  }
+      {.t = candidate.t,
+       .object = candidate.object,
+       .face = candidate.face,
+       .entering = candidate.entering,
+       .counted = mesh != nullptr,
+       .s = at.s,
+       .q = at.q,
+       .normal = at.normal,
+       .shading_normal = mesh != nullptr ? mesh->shading_normal(at.point, candidate.face) : at.normal});
   return at.point;
 }
 
-Intersector::Intersector(const Scene& scene, Search search) : state_(new State{scene, {}, {}, {}, {}, {}, 0}) {
+Intersector::Intersector(const Scene& scene, Search search) : state_(std::make_unique<State>(scene)) {
   for (const Object& object : scene.objects) {
     state_->primitives.push_back(make_primitive(object.shape));
     const auto* mesh = std::get_if<Mesh>(&state_->primitives.back());

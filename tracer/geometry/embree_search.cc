@@ -31,23 +31,22 @@ struct RayQuery {
   std::vector<TreeItem>* around = nullptr;  // every item whose box is met
 };
 
-const Departure* departure_of(const Departures& departures, std::uint32_t object) {
-  for (const Departure& left : departures)
-    if (left.object == object) return &left;
-  return nullptr;
-}
-
 }  // namespace
 
 struct EmbreeSearch::State {
   const std::vector<Primitive>& primitives;
   std::vector<TreeItem> items;
-  RTCDevice device = nullptr;
-  RTCScene scene = nullptr;
+  embree::Device device;
+  embree::Scene scene;  // after the device, so that it goes first
 
   // Boxes are brought to the unit cube by a shift and a power of two: the walk is the same at any scale.
   Vec3 center;
   double scale = 1;
+
+  State(const std::vector<Primitive>& asked, std::vector<TreeItem> held) : primitives(asked), items(std::move(held)) {
+    measure();
+    build();
+  }
 
   Bounds item_bounds(const TreeItem& item) const {
     const Primitive& primitive = primitives[item.object];
@@ -132,24 +131,23 @@ void EmbreeSearch::State::measure() {
 
 void EmbreeSearch::State::build() {
   // One thread builds small trees faster than many wake up, and leaves the sanitizers in peace.
-  device = rtcNewDevice(items.size() < 100000 ? "threads=1" : nullptr);
-  if (device == nullptr) throw std::runtime_error("Embree does not start on this machine");
-  scene = rtcNewScene(device);
-  rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
-  rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_MEDIUM);
+  device.reset(rtcNewDevice(items.size() < 100000 ? "threads=1" : nullptr));
+  if (!device) throw std::runtime_error("Embree does not start on this machine");
+  scene.reset(rtcNewScene(device.get()));
+  rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
+  rtcSetSceneBuildQuality(scene.get(), RTC_BUILD_QUALITY_MEDIUM);
 
-  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
-  rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(items.size()));
-  rtcSetGeometryUserData(geometry, this);
-  rtcSetGeometryMask(geometry, 0xffffffffu);
-  rtcSetGeometryBoundsFunction(geometry, bounds_of_item, nullptr);
-  rtcSetGeometryIntersectFunction(geometry, intersect_item);
-  rtcSetGeometryOccludedFunction(geometry, occlude_item);
-  rtcCommitGeometry(geometry);
-  rtcAttachGeometry(scene, geometry);
-  rtcReleaseGeometry(geometry);
-  rtcCommitScene(scene);
-  if (rtcGetDeviceError(device) != RTC_ERROR_NONE) throw std::runtime_error("Embree cannot build its tree");
+  const embree::Geometry geometry(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_USER));
+  rtcSetGeometryUserPrimitiveCount(geometry.get(), static_cast<unsigned>(items.size()));
+  rtcSetGeometryUserData(geometry.get(), this);
+  rtcSetGeometryMask(geometry.get(), 0xffffffffu);
+  rtcSetGeometryBoundsFunction(geometry.get(), bounds_of_item, nullptr);
+  rtcSetGeometryIntersectFunction(geometry.get(), intersect_item);
+  rtcSetGeometryOccludedFunction(geometry.get(), occlude_item);
+  rtcCommitGeometry(geometry.get());
+  rtcAttachGeometry(scene.get(), geometry.get());
+  rtcCommitScene(scene.get());
+  if (rtcGetDeviceError(device.get()) != RTC_ERROR_NONE) throw std::runtime_error("Embree cannot build its tree");
 }
 
 TreeRay EmbreeSearch::State::tree_ray(const Ray& ray) const {
@@ -169,24 +167,18 @@ TreeRay EmbreeSearch::State::tree_ray(const Ray& ray) const {
 }
 
 EmbreeSearch::EmbreeSearch(const std::vector<Primitive>& primitives, std::vector<TreeItem> items)
-    : state_(new State{primitives, std::move(items), nullptr, nullptr, {}, 1}) {
-  state_->measure();
-  state_->build();
-}
+    : state_(std::make_unique<State>(primitives, std::move(items))) {}
 
-EmbreeSearch::~EmbreeSearch() {
-  rtcReleaseScene(state_->scene);
-  rtcReleaseDevice(state_->device);
-}
+EmbreeSearch::~EmbreeSearch() = default;
 
 void EmbreeSearch::closest(const Ray& ray, const Departures& departures, Nearest& nearest) const {
   const TreeRay tree_ray = state_->tree_ray(ray);
-  RayQuery payload{ray, departures, tree_ray.skipped, &nearest, 0, false, nullptr};
+  RayQuery payload{.ray = ray, .departures = departures, .skipped = tree_ray.skipped, .nearest = &nearest};
   embree::Query<RayQuery> query(payload);
   RTCRayHit hit;
   embree::set_ray(hit.ray, tree_ray.origin, tree_ray.direction, state_->horizon(nearest.horizon(), tree_ray.skipped));
   hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  embree::intersect(state_->scene, query.context, hit);
+  embree::intersect(state_->scene.get(), query.context, hit);
 }
 
 void EmbreeSearch::around(Vec3 point, std::vector<TreeItem>& items) const {
@@ -195,21 +187,21 @@ void EmbreeSearch::around(Vec3 point, std::vector<TreeItem>& items) const {
   const Departures none;
   const TreeRay tree_ray = state_->tree_ray(ray);
   if (tree_ray.skipped > 0) return;
-  RayQuery payload{ray, none, 0, nullptr, 0, false, &items};
+  RayQuery payload{.ray = ray, .departures = none, .around = &items};
   embree::Query<RayQuery> query(payload);
   RTCRayHit hit;
   embree::set_ray(hit.ray, tree_ray.origin, tree_ray.direction, static_cast<float>(kMargin));
   hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  embree::intersect(state_->scene, query.context, hit);
+  embree::intersect(state_->scene.get(), query.context, hit);
 }
 
 bool EmbreeSearch::occluded(const Ray& ray, const Departures& departures, double t_max) const {
   const TreeRay tree_ray = state_->tree_ray(ray);
-  RayQuery payload{ray, departures, tree_ray.skipped, nullptr, t_max, false, nullptr};
+  RayQuery payload{.ray = ray, .departures = departures, .skipped = tree_ray.skipped, .t_max = t_max};
   embree::Query<RayQuery> query(payload);
   RTCRay shadow;
   embree::set_ray(shadow, tree_ray.origin, tree_ray.direction, state_->horizon(t_max, tree_ray.skipped));
-  embree::occluded(state_->scene, query.context, shadow);
+  embree::occluded(state_->scene.get(), query.context, shadow);
   return payload.found;
 }
 

@@ -7,9 +7,22 @@
 #include <embree3/rtcore.h>
 #endif
 
-#include <utility>
+#include <memory>
+#include <type_traits>
 
 namespace vitrail::embree {
+
+/// What Embree hands out, given back on every path.
+struct Release {
+  void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+  void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+  void operator()(RTCGeometry geometry) const { rtcReleaseGeometry(geometry); }
+};
+template <typename Handle>
+using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, Release>;
+using Device = Owned<RTCDevice>;
+using Scene = Owned<RTCScene>;
+using Geometry = Owned<RTCGeometry>;
 
 #if VITRAIL_EMBREE_MAJOR >= 4
 using Context = RTCRayQueryContext;

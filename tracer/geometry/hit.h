@@ -47,6 +47,13 @@ class InlineVector {
 
 using Departures = InlineVector<Departure, 6>;
 
+/// What a ray departs from on one object; null if it does not stand on it.
+inline const Departure* departure_of(const Departures& departures, std::uint32_t object) {
+  for (const Departure& left : departures)
+    if (left.object == object) return &left;
+  return nullptr;
+}
+
 /// One surface met at a hit.
 struct Crossing {
   double t = 0;
