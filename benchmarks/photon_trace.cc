@@ -33,7 +33,7 @@ void trace_ball(benchmark::State& state, bool fresnel, Strategy strategy) {
   const Targets targets = find_targets(scene, intersector);
   constexpr std::uint64_t kBlock = 8192;
   const std::vector<Chart> charts = make_charts(scene, targets, 1 << 20);
-  const PhotonPass pass{scene, intersector, {targets.surroundings.center}};
+  const PhotonPass pass{{scene, intersector}, {targets.surroundings.center}};
   std::uint64_t block = 0;
   for (auto _ : state) {
     const Stream stream = stream_of(1, Purpose::kEmissionPosition);

@@ -23,7 +23,7 @@ void frame(benchmark::State& state) {
   scene.settings.photons = 100'000;
   for (auto _ : state) {
     SilentMonitor monitor;
-    benchmark::DoNotOptimize(render(scene, 1, monitor));
+    benchmark::DoNotOptimize(render(scene, {1, monitor}));
   }
   state.SetItemsProcessed(state.iterations() * scene.image.width * scene.image.height);
 }

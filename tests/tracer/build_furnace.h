@@ -63,7 +63,7 @@ inline double offset_of(int x, int y, int side = kSide) {
 
 inline Film rendered(const Scene& scene) {
   SilentMonitor monitor;
-  return render(scene, 2, monitor).film;
+  return render(scene, {2, monitor}).film;
 }
 
 inline const Roughness kFaces[] = {NoRoughness{}, Equation8{0.5}, Ggx{0.3}};

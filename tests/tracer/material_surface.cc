@@ -13,7 +13,7 @@ BoxShape slab_between(double low, double high) { return {{-50, low, -50}, {50, h
 std::vector<PathVertex> follow_in(const Scene& scene, const Ray& ray,
                                   FollowedBranch branch = FollowedBranch::transmit) {
   const Intersector intersector(scene);
-  return follow(scene, intersector, ray, 0, branch, 64);
+  return follow({scene, intersector}, ray, 0, branch, 64);
 }
 
 Ray falling(double angle_deg, Vec3 through) {
@@ -216,8 +216,9 @@ TEST(Glass, OnATableLeavesNoAirBetween) {
 
   // The table is seen from inside glass: its radiance carries the square of that index.
   const Intersector intersector(builder.scene);
+  const Ray down{{0, -0.2, 0}, {0, -1, 0}};
   const Arrival arrival =
-      advance(builder.scene, intersector, {{0, -0.2, 0}, {0, -1, 0}}, {}, intersector.media_at({0, -0.2, 0}), 0);
+      advance({builder.scene, intersector}, {.ray = down, .media = intersector.media_at(down.origin)});
   EXPECT_EQ(arrival.event.index.from, 1.5);
   EXPECT_EQ(arrival.event.facing_normal, (Vec3{0, 1, 0}));
 }

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "build_scene.h"
-#include "photon/pass.h"
+#include "photon/caustic_pass.h"
 
 namespace vitrail {
 namespace {
@@ -11,7 +11,7 @@ namespace {
 PhotonMaps beams_of(const Scene& scene) {
   SilentMonitor monitor;
   const Intersector intersector(scene);
-  return make_photon_maps(scene, intersector, 2, monitor);
+  return make_caustic_maps({scene, intersector}, {2, monitor});
 }
 
 Scene ball_over_floor(std::uint64_t rays, bool fresnel = false) {
@@ -21,7 +21,7 @@ Scene ball_over_floor(std::uint64_t rays, bool fresnel = false) {
   builder.scene.lights.push_back({"sun", DirectionalLight{{0, -1, 0}, {1, 2, 3}, 0}});
   builder.scene.settings.photons = rays;
   builder.scene.settings.gather_radius_m = 0.01;
-  builder.scene.settings.solver = "beams";
+  builder.scene.settings.solver = Solver::beams;
   return builder.scene;
 }
 
@@ -97,7 +97,7 @@ TEST(Beams, LandOnCurvedSurfaces) {
   builder.add("plate", BoxShape{{-1.2, 2, -1.2}, {1.2, 2.1, 1.2}, {}}, builder.add(glass(1)));
   builder.scene.lights.push_back({"sun", DirectionalLight{{0, -1, 0}, {1, 1, 1}, 0}});
   builder.scene.settings.photons = 40000;
-  builder.scene.settings.solver = "beams";
+  builder.scene.settings.solver = Solver::beams;
   const PhotonMaps maps = beams_of(builder.scene);
   TestNumbers numbers;
   double mean = 0;

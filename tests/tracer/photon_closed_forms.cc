@@ -13,7 +13,7 @@ constexpr double kHalfAPercent = 0.005;
 /// Photons stored in a scene by all charts, and the ledger.
 PhotonBlock photons_of(const Scene& scene, std::uint64_t count) {
   const Intersector intersector(scene);
-  const PhotonPass pass{scene, intersector, {}};
+  const PhotonPass pass{{scene, intersector}, {}};
   PhotonBlock all;
   for (const Chart& chart : make_charts(scene, find_targets(scene, intersector), count)) {
     const PhotonBlock block = trace_photons(pass, chart, stream_of(1, Purpose::kEmissionPosition), 0, chart.count);

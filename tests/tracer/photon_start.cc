@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "build_scene.h"
-#include "photon/pass.h"
+#include "photon/caustic_pass.h"
 
 namespace vitrail {
 namespace {
@@ -24,7 +24,7 @@ SceneBuilder ball_on_floor(const Emitter& light) {
 PhotonMaps maps_of(const Scene& scene) {
   SilentMonitor monitor;
   const Intersector intersector(scene);
-  return make_photon_maps(scene, intersector, 1, monitor);
+  return make_caustic_maps({scene, intersector}, {1, monitor});
 }
 
 const DirectionalLight kSlantedSun{normalise({0.3, -1, 0.2}), {2, 2, 2}, 0};

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "build_scene.h"
-#include "photon/pass.h"
+#include "photon/caustic_pass.h"
 
 namespace vitrail {
 namespace {
@@ -23,7 +23,7 @@ SceneBuilder floor_scene() {
 PhotonMaps maps_of(const Scene& scene, unsigned threads = 1) {
   SilentMonitor monitor;
   const Intersector intersector(scene);
-  return make_photon_maps(scene, intersector, threads, monitor);
+  return make_caustic_maps({scene, intersector}, {threads, monitor});
 }
 
 void expect_ledger_closed(const Ledger& ledger) {

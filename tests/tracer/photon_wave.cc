@@ -12,7 +12,7 @@ namespace {
 void expect_the_same_light(const Scene& scene) {
   const Intersector intersector(scene);
   const Targets targets = find_targets(scene, intersector);
-  const PhotonPass pass{scene, intersector, {targets.surroundings.center}};
+  const PhotonPass pass{{scene, intersector}, {targets.surroundings.center}};
   for (const Chart& chart : make_charts(scene, targets, 4000)) {
     const Stream stream = stream_of(1, Purpose::kEmissionPosition);
     const PhotonBlock quick = trace_photons(pass, chart, stream, 0, chart.count);

@@ -18,7 +18,7 @@ double irradiance_under(const AreaLight& lamp, double aside) {
   builder.scene.plan.caustic = false;
   builder.scene.settings.samples = 1024;
   SilentMonitor monitor;
-  return kPi * render(builder.scene, 1, monitor).film.radiance(0, 0).r;
+  return kPi * render(builder.scene, {1, monitor}).film.radiance(0, 0).r;
 }
 
 /// 1024 stratified samples of a smooth integrand; half a percent is what is asked.

@@ -15,7 +15,7 @@ Camera looking_down(double y, double half) {
 
 Rendering rendered(const Scene& scene, unsigned threads = 1) {
   SilentMonitor monitor;
-  return render(scene, threads, monitor);
+  return render(scene, {threads, monitor});
 }
 
 SceneBuilder card_scene(double albedo, double tilt_deg) {
@@ -221,7 +221,7 @@ TEST(BallLens, HasTheAnnuliOfItsRayMap) {
 
 TEST(BallLens, HasTheSameAnnuliInLightBins) {
   Scene scene = ball_lens();
-  scene.settings.solver = "light_bins";
+  scene.settings.solver = Solver::light_bins;
   expect_annuli(rendered(scene, 2).film, 0.01);
 
   // The same seen in perspective from the same height: a half angle of 45 degrees shows twice as much.
@@ -232,7 +232,7 @@ TEST(BallLens, HasTheSameAnnuliInLightBins) {
 /// A tenth of the rays, and of what is left 0.3 % are whole pixels that stand for the edges of the rings.
 TEST(BallLens, HasTheSameAnnuliInBeams) {
   Scene scene = ball_lens();
-  scene.settings.solver = "beams";
+  scene.settings.solver = Solver::beams;
   scene.settings.photons = 100000;
   const Rendering result = rendered(scene, 2);
   expect_annuli(result.film, 0.01, 0.004);

@@ -26,7 +26,7 @@ SceneBuilder hollow_sphere(double albedo, int final_gather_rays) {
 
 Rgb mean_indirect(const Scene& scene) {
   SilentMonitor monitor;
-  const Film film = render(scene, 2, monitor).film;
+  const Film film = render(scene, {2, monitor}).film;
   Rgb sum;
   for (int y = 0; y < 8; ++y) {
     for (int x = 0; x < 8; ++x) sum += film.layer(Layer::indirect_light, x, y);
@@ -81,7 +81,7 @@ TEST(Indirect, IsTheSameForAnyNumberOfThreads) {
   Scene scene = hollow_sphere(0.5, 4).scene;
   scene.settings.photons = 20000;
   SilentMonitor monitor;
-  const Film one = render(scene, 1, monitor).film, seven = render(scene, 7, monitor).film;
+  const Film one = render(scene, {1, monitor}).film, seven = render(scene, {7, monitor}).film;
   for (int x = 0; x < 8; ++x) EXPECT_EQ(one.radiance(x, 3), seven.radiance(x, 3));
 }
 

@@ -36,7 +36,7 @@ Scene mixed_scene(double scale = 1, double power = 1) {
 
 Rendering rendered(const Scene& scene, unsigned threads = 1) {
   SilentMonitor monitor;
-  return render(scene, threads, monitor);
+  return render(scene, {threads, monitor});
 }
 
 /// The number of half pixels whose layers differ, after multiplying the first image by `factor`.
@@ -170,7 +170,7 @@ class StopAfter : public SilentMonitor {
 TEST(Image, KeepsFinishedTilesWhenInterrupted) {
   const Scene scene = mixed_scene();
   StopAfter monitor(1);
-  const Rendering cut = render(scene, 1, monitor);
+  const Rendering cut = render(scene, {1, monitor});
   EXPECT_TRUE(cut.interrupted);
   const Film whole = rendered(scene).film;
   EXPECT_EQ(cut.film.radiance(5, 20), whole.radiance(5, 20));  // first tile

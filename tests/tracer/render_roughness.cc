@@ -26,7 +26,7 @@ Material rough_mirror(const Roughness& roughness, double share = 1) {
 
 double seen(const Scene& scene) {
   SilentMonitor monitor;
-  return render(scene, 1, monitor).film.radiance(0, 0).r;
+  return render(scene, {1, monitor}).film.radiance(0, 0).r;
 }
 
 /// A camera above a rough mirror, which sees the mirror image of a glowing disc of that angle above itself.
@@ -64,7 +64,7 @@ TEST(RoughMirror, SendsPhotonsTheSameWay) {
   const Targets targets = find_targets(builder.scene, intersector);
   const auto charts = make_charts(builder.scene, targets, 20000);
   ASSERT_EQ(charts.size(), 1u);
-  const PhotonPass pass{builder.scene, intersector, {{0, 10, 0}}};
+  const PhotonPass pass{{builder.scene, intersector}, {{0, 10, 0}}};
   const auto block = trace_photons(pass, charts[0], stream_of(1, Purpose::kEmissionPosition), 0, charts[0].count);
   double inside_median = 0, inside_most = 0;
   for (const PhotonRecord& photon : block.photons) {

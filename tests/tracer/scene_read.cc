@@ -164,6 +164,8 @@ const Fault kFaults[] = {
     {"\"samples\": 4", "\"samples\": -1", "scene.settings.samples: is -1; write a whole number from 1 to 1048576"},
     {"\"seed\": 18446744073709551615", "\"seed\": -1",
      "scene.settings.seed: is -1; write a whole number from 0 to 18446744073709551615"},
+    {"\"solver\": \"auto\"", "\"solver\": \"radiosity\"",
+     "scene.settings.solver: is \"radiosity\"; write one of auto, photon_map, light_bins, beams"},
     {"\"shadow\": true", "\"shadow\": 1", "scene.plan.shadow: is 1; write true or false"},
     {"\"title\": \"test\"", "\"title\": 5", "scene.title: is 5; write a text in quotes"},
 };

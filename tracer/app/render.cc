@@ -46,7 +46,7 @@ int run_render(const RenderOptions& options) {
   read_skies(scene);
   ProgressLines progress(options.progress ? stderr : nullptr);
   const unsigned threads = thread_count(options.threads);
-  const Rendering rendering = render(scene, threads, progress);
+  const Rendering rendering = render(scene, {threads, progress});
   write_exr(options.image, rendering.film, scene.plan,
             {{"vitrail:scene_hash", scene.scene_hash},
              {"vitrail:engine", "vitrail-tracer " VITRAIL_VERSION},

@@ -61,7 +61,7 @@ void run_trace(const TraceOptions& options) {
   const Ray ray{vector_option(options.origin, "--origin") - scene.shift, normalise(direction / largest)};
   const FollowedBranch branch = options.branch == "reflect" ? FollowedBranch::reflect : FollowedBranch::transmit;
   nlohmann::json vertices = nlohmann::json::array();
-  for (const PathVertex& vertex : follow(scene, intersector, ray, options.band, branch, options.max_vertices))
+  for (const PathVertex& vertex : follow({scene, intersector}, ray, options.band, branch, options.max_vertices))
     vertices.push_back(vertex_json(scene, vertex));
   std::cout << nlohmann::json{{"vertices", vertices}}.dump() << '\n';
 }

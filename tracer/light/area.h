@@ -16,7 +16,7 @@ struct AreaChart {
   BoundingSphere target;
   Rgb emitted;  // radiance, or irradiance if collimated
   Rgb power;    // an estimate for sharing out photons; a collimated lamp's exact power
-  Vec3 lift;    // off what the lamp is mounted on, by what rounding may do
+  Vec3 lift{};  // off what the lamp is mounted on, by what rounding may do
 };
 
 AreaChart aim(const AreaLight& light, const Target& target);

@@ -70,6 +70,13 @@ inline Vec3 in_cone(Vec3 axis, const SurfaceFrame& frame, double one_minus_cos, 
   return normalise(axis * (1 - below) + frame.u * (point.x * spread) + frame.v * (point.y * spread));
 }
 
+/// A direction with the density of the cosine about a normal.
+inline Vec3 cosine_direction(Vec3 normal, const UnitPoint& point) {
+  const SurfaceFrame frame = surface_frame(normal);
+  const double height = std::sqrt(std::max(0.0, 1 - (point.x * point.x + point.y * point.y)));
+  return normalise(frame.u * point.x + frame.v * point.y + normal * height);
+}
+
 /// 1 - cos of the half angle under which a sphere is seen; 2 from inside it. Exact for small angles.
 inline double one_minus_cos_of(double radius, double distance) {
   if (!(distance > radius)) return 2;

@@ -40,20 +40,18 @@ PathEvent classify(const Interaction& event, const Branch* branch) {
 
 }  // namespace
 
-std::vector<PathVertex> follow(const Scene& scene, const Intersector& intersector, Ray ray, std::uint32_t band,
-                               FollowedBranch wanted, int max_vertices) {
+std::vector<PathVertex> follow(const World& world, const Ray& ray, std::uint32_t band, FollowedBranch wanted,
+                               int max_vertices) {
   std::vector<PathVertex> path;
-  MediumSet media = intersector.media_at(ray.origin);
-  Departures departures;
-  Rgb throughput{1, 1, 1};
+  PathState state{.ray = ray, .media = world.intersector.media_at(ray.origin), .band = band};
   while (static_cast<int>(path.size()) < max_vertices) {
-    const Arrival arrival = advance(scene, intersector, ray, departures, media, band);
-    throughput *= arrival.transmittance;
+    const Arrival arrival = advance(world, state);
+    state.weight *= arrival.transmittance;
     PathVertex vertex;
-    vertex.direction_in = vertex.direction_out = ray.direction;
+    vertex.direction_in = vertex.direction_out = state.ray.direction;
     vertex.distance = arrival.distance;
-    vertex.throughput = throughput;
-    vertex.medium = arrival.media.dominant(scene);
+    vertex.throughput = state.weight;
+    vertex.medium = arrival.media.dominant(world.scene);
     if (arrival.escaped) {
       path.push_back(vertex);
       return path;
@@ -69,16 +67,16 @@ std::vector<PathVertex> follow(const Scene& scene, const Intersector& intersecto
     vertex.R = event.R;
     vertex.T = event.T;
     if (branch != nullptr) {
-      throughput *= branch->weight;
-      vertex.throughput = throughput;
+      state.weight *= branch->weight;
+      vertex.throughput = state.weight;
       vertex.direction_out = branch->direction;
-      vertex.medium = branch->media.dominant(scene);
+      vertex.medium = branch->media.dominant(world.scene);
     }
     path.push_back(vertex);
     if (branch == nullptr) return path;
-    ray = {arrival.hit.point, branch->direction};
-    departures = branch->departures;
-    media = branch->media;
+    state.ray = {arrival.hit.point, branch->direction};
+    state.departures = branch->departures;
+    state.media = branch->media;
   }
   return path;
 }

@@ -27,7 +27,7 @@ enum class FollowedBranch { transmit, reflect };
 
 /// Follow a ray; where the wanted branch does not exist, the other one. Ends at a diffuse or absorbing surface, in the
 /// open, or after max_vertices.
-std::vector<PathVertex> follow(const Scene& scene, const Intersector& intersector, Ray ray, std::uint32_t band,
-                               FollowedBranch wanted, int max_vertices);
+std::vector<PathVertex> follow(const World& world, const Ray& ray, std::uint32_t band, FollowedBranch wanted,
+                               int max_vertices);
 
 }  // namespace vitrail

@@ -18,13 +18,16 @@ Stream behind(const RoughSample& sample) {
   return stream;
 }
 
-// Equation 8 deflects a look as it is printed, and light by the form that leaves Lambert's law as it is.
-void deflect_branches(const RoughSample& sample, double lambda, bool as_light, Interaction& event) {
-  const double keep = as_light ? uniform(behind(sample), 0, 0) : 0;
+// Equation 8 as it is printed, or the form that leaves Lambert's law as it is.
+enum class Deflection { literal, reciprocal };
+
+void deflect_branches(const RoughSample& sample, double lambda, Deflection deflection, Interaction& event) {
+  const bool reciprocal = deflection == Deflection::reciprocal;
+  const double keep = reciprocal ? uniform(behind(sample), 0, 0) : 0;
   const auto turn = [&](Branch& branch, Vec3 facing) {
     if (!branch.exists) return;
-    branch.direction = as_light ? deflect_light(branch.direction, lambda, facing, sample, keep)
-                                : deflect(branch.direction, lambda, facing, sample);
+    branch.direction = reciprocal ? deflect_light(branch.direction, lambda, facing, sample, keep)
+                                  : deflect(branch.direction, lambda, facing, sample);
   };
   turn(event.reflect, event.facing_normal);
   turn(event.transmit, -event.facing_normal);
@@ -33,16 +36,16 @@ void deflect_branches(const RoughSample& sample, double lambda, bool as_light, I
 /// A hit on a face of GGX facets.
 class GgxFace {
  public:
-  GgxFace(const Scene& scene, const Hit& hit, Vec3 direction, const MediumSet& media, double alpha,
-          const Interaction& event)
-      : hit_(hit),
+  GgxFace(const Scene& scene, const Incidence& incidence, double alpha, const Interaction& event)
+      : hit_(incidence.hit),
         paper_(scene.paper),
         alpha_(alpha),
         bend_(scene.paper.refraction_literal ? refract_literal : refract),
         facing_(event.facing_normal),
         across_(surface_frame(event.facing_normal)),
-        arrived_{dot(direction, across_.u), dot(direction, across_.v), dot(direction, facing_)} {
-    find_boundary(scene, hit, media, boundary_);
+        arrived_{dot(incidence.direction, across_.u), dot(incidence.direction, across_.v),
+                 dot(incidence.direction, facing_)} {
+    find_boundary(scene, hit_, incidence.media, boundary_);
     shares_ = shares_of(scene, boundary_);
   }
 
@@ -127,14 +130,15 @@ bool is_rough(const Roughness& roughness) {
   return std::holds_alternative<Ggx>(roughness) || (by_equation_8 != nullptr && by_equation_8->value > 0);
 }
 
-void roughen(const Scene& scene, const Hit& hit, Vec3 direction, const MediumSet& media, const RoughSample& sample,
-             Travels travels, Interaction& event) {
+void roughen(const Scene& scene, const Incidence& incidence, const RoughSample& sample, Transported transported,
+             Interaction& event) {
   if (!event.reflect.exists && !event.transmit.exists) return;
   if (const auto* by_equation_8 = std::get_if<Equation8>(&event.roughness)) {
-    const bool as_light = travels == Travels::light && !scene.paper.rough_photons_literal;
-    deflect_branches(sample, by_equation_8->value, as_light, event);
+    const bool keeps_lambert = transported == Transported::flux && !scene.paper.rough_photons_literal;
+    const Deflection deflection = keeps_lambert ? Deflection::reciprocal : Deflection::literal;
+    deflect_branches(sample, by_equation_8->value, deflection, event);
   } else if (const auto* ggx = std::get_if<Ggx>(&event.roughness)) {
-    GgxFace(scene, hit, direction, media, ggx->alpha, event).scatter(sample, event);
+    GgxFace(scene, incidence, ggx->alpha, event).scatter(sample, event);
   }
 }
 

@@ -10,8 +10,9 @@ namespace vitrail {
 /// Numbers in (0, 1) for one scattering.
 using RoughSample = std::array<double, 3>;
 
-/// What goes along a ray: a look, backwards from the camera, or light, forwards from a lamp.
-enum class Travels { look, light };
+/// What a path transports: importance, backwards from the camera, or flux, forwards from a light. (pbrt names these
+/// modes after what they measure: its TransportMode::Radiance is the importance here.)
+enum class Transported { importance, flux };
 
 bool is_rough(const Roughness& roughness);
 
@@ -20,7 +21,7 @@ bool is_rough(const Roughness& roughness);
 /// from facet to facet, each with its own Fresnel share and total reflection, until it leaves the face: the branches
 /// keep their weights, but either may end on either side. By the letter (tir drop) only the first facet drops light.
 /// Surface, albedo and emission stay as they are. A smooth surface is left alone, to the bit.
-void roughen(const Scene& scene, const Hit& hit, Vec3 direction, const MediumSet& media, const RoughSample& sample,
-             Travels travels, Interaction& event);
+void roughen(const Scene& scene, const Incidence& incidence, const RoughSample& sample, Transported transported,
+             Interaction& event);
 
 }  // namespace vitrail

@@ -13,11 +13,16 @@ struct MediumIndex {
   double ior = 1, ior_minus_one = 0;
 };
 
-MediumIndex index_of(const Scene& scene, std::uint32_t object, std::uint32_t band, bool ior_of_camera) {
-  if (object == kAir || !scene.material_of(object).transmits()) return {};
-  const Material& material = scene.material_of(object);
-  if (ior_of_camera) return {material.camera_ior, material.camera_ior - 1};
+/// The index of a material's inside, whether it transmits or not.
+MediumIndex index_of(const Material& material, std::uint32_t band, IorSource source) {
+  if (source == IorSource::camera) return {material.camera_ior, material.camera_ior - 1};
   return {material.ior_by_band[band], material.ior_minus_one_by_band[band]};
+}
+
+/// The index that light meets where an object is dominant.
+MediumIndex index_in(const Scene& scene, std::uint32_t object, std::uint32_t band, IorSource source) {
+  if (object == kAir || !scene.material_of(object).transmits()) return {};
+  return index_of(scene.material_of(object), band, source);
 }
 
 /// The shading normal against the light, or the geometric one where the shading normal of a smooth mesh turns away.
@@ -68,15 +73,14 @@ void add_branches(const Paper& paper, const Hit& hit, Vec3 direction, const Boun
 
 }  // namespace
 
-Interaction interact(const Scene& scene, const Hit& hit, Vec3 direction, const MediumSet& media, std::uint32_t band,
-                     bool ior_of_camera) {
+Interaction interact(const Scene& scene, const Incidence& incidence) {
   Interaction result;
-  interact(scene, hit, direction, media, band, ior_of_camera, result);
+  interact(scene, incidence, result);
   return result;
 }
 
-void interact(const Scene& scene, const Hit& hit, Vec3 direction, const MediumSet& media, std::uint32_t band,
-              bool ior_of_camera, Interaction& result) {
+void interact(const Scene& scene, const Incidence& incidence, Interaction& result) {
+  const auto& [hit, direction, media, band, ior] = incidence;
   Boundary boundary;
   find_boundary(scene, hit, media, boundary);
   result.medium_before = boundary.dominant_before;
@@ -103,7 +107,7 @@ void interact(const Scene& scene, const Hit& hit, Vec3 direction, const MediumSe
   result.emission = texture_at(material.emission, surface.s, surface.q);
   result.roughness = material.roughness;
 
-  const MediumIndex from = index_of(scene, result.medium_before, band, ior_of_camera);
+  const MediumIndex from = index_in(scene, result.medium_before, band, ior);
   result.index = {from.ior, from.ior, from.ior_minus_one, from.ior_minus_one};
 
   // Nothing leaves a dull surface in one direction.
@@ -115,10 +119,8 @@ void interact(const Scene& scene, const Hit& hit, Vec3 direction, const MediumSe
   }
 
   // Bend the light; an opaque surface has no other side, but its own index decides how strong its mirror is.
-  MediumIndex to = index_of(scene, result.medium_after, band, ior_of_camera);
-  if (boundary.opaque && material.fresnel)
-    to = ior_of_camera ? MediumIndex{material.camera_ior, material.camera_ior - 1}
-                       : MediumIndex{material.ior_by_band[band], material.ior_minus_one_by_band[band]};
+  MediumIndex to = index_in(scene, result.medium_after, band, ior);
+  if (boundary.opaque && material.fresnel) to = index_of(material, band, ior);
   result.index = {from.ior, to.ior, from.ior_minus_one, to.ior_minus_one};
   const Refraction refraction = bend(scene.paper, surface, direction, result.index, result.facing_normal);
   const FresnelShares fresnel_shares = fresnel(result.index, refraction);
@@ -128,19 +130,24 @@ void interact(const Scene& scene, const Hit& hit, Vec3 direction, const MediumSe
 }
 
 double ior_in(const Scene& scene, const MediumSet& media, std::uint32_t band) {
-  return index_of(scene, media.dominant(scene), band, false).ior;
+  return index_in(scene, media.dominant(scene), band, IorSource::band).ior;
 }
 
-Arrival advance(const Scene& scene, const Intersector& intersector, const Ray& start, const Departures& departures,
-                const MediumSet& media, std::uint32_t band, bool ior_of_camera) {
+bool splits_into_bands(const Scene& scene, const PathState& path, const Interaction& event) {
+  if (path.band_chosen || path.ior == IorSource::camera || !event.transmit.exists) return false;
+  return is_dispersive(scene, event.medium_before) || is_dispersive(scene, event.medium_after);
+}
+
+Arrival advance(const World& world, const PathState& path) {
+  const Scene& scene = world.scene;
   Arrival arrival;
-  arrival.media = media;
-  Ray ray = start;
-  Departures left = departures;
+  arrival.media = path.media;
+  Ray ray = path.ray;
+  Departures left = path.departures;
   while (true) {
     const std::uint32_t medium = arrival.media.dominant(scene);
     const Rgb absorption = medium == kAir ? Rgb{} : scene.material_of(medium).absorption_per_m;
-    if (!intersector.closest(ray, left, arrival.hit)) {
+    if (!world.intersector.closest(ray, left, arrival.hit)) {
       arrival.escaped = true;
       arrival.distance = kInfinity;
       arrival.transmittance *= transmittance(absorption, kInfinity);
@@ -148,7 +155,7 @@ Arrival advance(const Scene& scene, const Intersector& intersector, const Ray& s
     }
     arrival.distance += arrival.hit.t;
     arrival.transmittance *= transmittance(absorption, arrival.hit.t);
-    interact(scene, arrival.hit, ray.direction, arrival.media, band, ior_of_camera, arrival.event);
+    interact(scene, incidence_of(path, arrival), arrival.event);
     if (!arrival.event.passes) return arrival;
 
     // Walk straight through what changes nothing.

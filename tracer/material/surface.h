@@ -3,7 +3,8 @@
 
 #include <cstdint>
 
-#include "geometry/accel.h"
+#include "geometry/world.h"
+#include "material/path_state.h"
 #include "optics/refract.h"
 
 namespace vitrail {
@@ -49,15 +50,21 @@ struct Interaction {
   Roughness roughness;       // of the surface; the directions above are those of the smooth surface
 };
 
-/// What a hit does with light that arrives along `direction` inside `media` in a band. `ior_of_camera` takes the
-/// material's camera_ior instead of that of the band (paper.disperse_camera off).
-Interaction interact(const Scene& scene, const Hit& hit, Vec3 direction, const MediumSet& media, std::uint32_t band,
-                     bool ior_of_camera = false);
-/// The same into a fresh or used value, which spares a copy.
-void interact(const Scene& scene, const Hit& hit, Vec3 direction, const MediumSet& media, std::uint32_t band,
-              bool ior_of_camera, Interaction& result);
+/// How a path comes to a hit.
+struct Incidence {
+  const Hit& hit;
+  Vec3 direction;
+  const MediumSet& media;  // before the surface
+  std::uint32_t band = 0;
+  IorSource ior = IorSource::band;
+};
 
-/// The index of the medium a set rules, for the radiance factor (n_camera / n_here)^2 of surfaces inside glass.
+/// What a hit does with light that arrives like this.
+Interaction interact(const Scene& scene, const Incidence& incidence);
+/// The same into a fresh or used value, which spares a copy.
+void interact(const Scene& scene, const Incidence& incidence, Interaction& result);
+
+/// The index of the dominant medium of a set, for the radiance factor (n_camera / n_here)^2 of surfaces inside glass.
 double ior_in(const Scene& scene, const MediumSet& media, std::uint32_t band);
 
 /// The next hit that is an event, walking straight over boundary that change nothing.
@@ -69,7 +76,14 @@ struct Arrival {
   MediumSet media;             // at arrival, before the surface
   Interaction event;
 };
-Arrival advance(const Scene& scene, const Intersector& intersector, const Ray& ray, const Departures& departures,
-                const MediumSet& media, std::uint32_t band, bool ior_of_camera = false);
+Arrival advance(const World& world, const PathState& path);
+
+/// How a path came to its arrival.
+inline Incidence incidence_of(const PathState& path, const Arrival& arrival) {
+  return {arrival.hit, path.ray.direction, arrival.media, path.band, path.ior};
+}
+
+/// Whether light divides into bands here: the first face of a path that refracts them differently.
+bool splits_into_bands(const Scene& scene, const PathState& path, const Interaction& event);
 
 }  // namespace vitrail

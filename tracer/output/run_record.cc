@@ -25,7 +25,7 @@ Json settings_object(const Scene& scene) {
           {"rough_samples", settings.rough_samples},
           {"final_gather_rays", settings.final_gather_rays},
           {"memory_limit_mb", settings.memory_limit_mb},
-          {"solver", solver_of(scene)}};
+          {"solver", name_of(scene.solver())}};
 }
 
 Json ledger_object(const Ledger& ledger) {

@@ -1,7 +1,7 @@
 #pragma once
 /// Where a light path ends on a surface that can be diffuse.
 
-#include "photon/flight.h"
+#include "photon/light_vertex.h"
 
 namespace vitrail {
 
@@ -13,7 +13,7 @@ struct Landing {
   PathSignature signature = PathSignature::at_light;  // from the light to here, this face included
 };
 
-/// Who takes the landings of a tree.
+/// What takes the landings of a tree.
 class LandingSink {
  public:
   virtual ~LandingSink() = default;

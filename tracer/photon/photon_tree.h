@@ -1,5 +1,5 @@
 #pragma once
-/// The general way to follow one photon: any shape, any nesting of glass, any coincidence of faces.
+/// The general strategy, one photon at a time: any shape, any nesting of glass, any coincidence of faces.
 
 #include <vector>
 
@@ -8,6 +8,7 @@
 
 namespace vitrail {
 
+/// A tree of paths: reflected and refracted light both go on from every interface, in exact shares.
 class PhotonTree {
  public:
   /// Where light ends goes into `landings`, the energy balance into `ledger`; both must outlive the tree.
@@ -15,15 +16,16 @@ class PhotonTree {
   PhotonTree(const PhotonPass& pass, std::uint32_t target, Stream stream, LandingSink& landings, Ledger& ledger)
       : pass_(pass), scene_(pass.scene), target_(target), stream_(stream), landings_(landings), ledger_(ledger) {}
 
-  /// Follow every branch to its end. A flight that has not bounced counts only if it meets the target first.
-  void follow(const Flight& flight);
+  /// Follow every branch to its end. A photon that has not bounced counts only if it meets the target first.
+  void follow(const LightVertex& start);
 
  private:
-  void arrive(const Flight& flight, const Arrival& arrival);
-  void split_bands(Flight flight, const Arrival& arrival, Rgb flux);
-  void go_on(const Flight& flight, const Arrival& arrival, const Interaction& event, Rgb flux);
-  void meet(const Flight& flight, const Arrival& arrival, const Interaction& event, Rgb flux);
-  void send(const Flight& from, const Arrival& arrival, const Branch& branch, Rgb flux);
+  // In these the weight of the vertex is the flux that arrives.
+  void arrive(LightVertex& photon, const Arrival& arrival);
+  void split_bands(LightVertex& photon, const Arrival& arrival);
+  void scatter(const LightVertex& photon, const Arrival& arrival, const Interaction& event);
+  void divide(const LightVertex& photon, const Arrival& arrival, const Interaction& event);
+  void send(const LightVertex& from, const Arrival& arrival, const Branch& branch, Rgb flux);
 
   const PhotonPass& pass_;
   const Scene& scene_;
@@ -31,7 +33,7 @@ class PhotonTree {
   Stream stream_;
   LandingSink& landings_;
   Ledger& ledger_;
-  std::vector<Flight> pending_;
+  std::vector<LightVertex> pending_;
 };
 
 }  // namespace vitrail

@@ -110,9 +110,9 @@ PhotonBlock trace_photons(const PhotonPass& pass, const Chart& chart, Stream str
         const Rgb power = power_of(columns, i);
         if (is_black(power)) continue;
         const Ray ray = ray_of(columns, i);
-        Flight flight{ray, {}, media.at(ray.origin), power, kLeastPhotonShare * largest_channel(power)};
-        flight.index = index + static_cast<std::uint32_t>(i);
-        tree.follow(flight);
+        tree.follow({.path = {.ray = ray, .media = media.at(ray.origin), .weight = power},
+                     .least = kLeastPhotonShare * largest_channel(power),
+                     .index = index + static_cast<std::uint32_t>(i)});
       }
     });
   }

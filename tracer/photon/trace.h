@@ -33,9 +33,7 @@ class PhotonStore : public LandingSink {
 };
 
 /// Everything that stays the same over a photon pass.
-struct PhotonPass {
-  const Scene& scene;
-  const Intersector& intersector;
+struct PhotonPass : World {
   PhotonFrame frame;
   double radius_m = 0;  // of everything finite, about the frame's origin
 };

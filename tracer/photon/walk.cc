@@ -3,59 +3,50 @@
 #include <algorithm>
 
 #include "light/sampling.h"
-#include "photon/flight.h"
 
 namespace vitrail {
 namespace {
 
-// The share of the light that a way on carries, in the channel where the result is strongest.
+// The share of the light that a lobe carries, in the channel where the result is strongest.
 double probability(Rgb weight, Rgb share) { return largest_channel(weight * share) / largest_channel(weight); }
-
-Vec3 cosine_direction(Vec3 normal, double u, double v) {
-  const UnitPoint point = unit_point(u, v);
-  const SurfaceFrame frame = surface_frame(normal);
-  const double height = std::sqrt(std::max(0.0, 1 - (point.x * point.x + point.y * point.y)));
-  return normalise(frame.u * point.x + frame.v * point.y + normal * height);
-}
 
 // At the first face that tells bands apart draw one of them, each as likely as the others. The number that chose is
 // spread over (0, 1) again, so that it may still choose something else.
-void choose_band(const Scene& scene, const Arrival& arrival, double& u, Walk& walk, Interaction& event) {
-  const bool splits = !walk.band_chosen && event.transmit.exists &&
-                      (tells_bands_apart(scene, event.medium_before) || tells_bands_apart(scene, event.medium_after));
-  if (!splits) return;
+void choose_band(const Scene& scene, const Arrival& arrival, double& u, PathState& path, Interaction& event) {
+  if (!splits_into_bands(scene, path, event)) return;
   const auto count = static_cast<double>(scene.bands.size());
-  walk.band = static_cast<std::uint32_t>(std::min(count - 1, u * count));
-  walk.band_chosen = true;
-  u = u * count - walk.band;
-  walk.weight *= scene.bands[walk.band].weight * count;
-  event = interact(scene, arrival.hit, walk.ray.direction, arrival.media, walk.band);
+  path.band = static_cast<std::uint32_t>(std::min(count - 1, u * count));
+  path.band_chosen = true;
+  u = u * count - path.band;
+  path.weight *= scene.bands[path.band].weight * count;
+  event = interact(scene, incidence_of(path, arrival));
 }
 
 }  // namespace
 
-SampledLobe step(const Scene& scene, const Arrival& arrival, const StepSample& sample, Travels travels, Walk& walk) {
+SampledLobe step(const Scene& scene, const Arrival& arrival, const StepSample& sample, Transported transported,
+                 PathState& path) {
   Interaction event = arrival.event;
   double spare = sample[3];
-  choose_band(scene, arrival, spare, walk, event);
-  if (!(largest_channel(walk.weight) > 0)) return SampledLobe::none;
+  choose_band(scene, arrival, spare, path, event);
+  if (!(largest_channel(path.weight) > 0)) return SampledLobe::none;
   if (scene.plan.roughness && is_rough(event.roughness)) {
-    roughen(scene, arrival.hit, walk.ray.direction, arrival.media, {sample[1], sample[2], spare}, travels, event);
+    roughen(scene, incidence_of(path, arrival), {sample[1], sample[2], spare}, transported, event);
   }
 
-  // Draw a way on; what none of them carries ends here.
-  const double reflects = event.reflect.exists ? probability(walk.weight, event.reflect.weight) : 0;
-  const double transmits = event.transmit.exists ? probability(walk.weight, event.transmit.weight) : 0;
-  const double scatters = travels == Travels::light ? probability(walk.weight, event.diffuse) : 0;
+  // Draw a lobe; what none of them carries ends here.
+  const double reflects = event.reflect.exists ? probability(path.weight, event.reflect.weight) : 0;
+  const double transmits = event.transmit.exists ? probability(path.weight, event.transmit.weight) : 0;
+  const double scatters = transported == Transported::flux ? probability(path.weight, event.diffuse) : 0;
   const double scale = std::max(1.0, reflects + transmits + scatters);
   double u = sample[0] * scale;
   const auto take = [&](const Branch& branch, double p) {
-    walk.ray = {arrival.hit.point, branch.direction};
-    walk.departures = branch.departures;
-    walk.media = branch.media;
-    walk.weight *= branch.weight * (scale / p);
-    walk.depth = walk.depth.after(branch.lobe);
-    return scene.within_depth(walk.depth);
+    path.ray = {arrival.hit.point, branch.direction};
+    path.departures = branch.departures;
+    path.media = branch.media;
+    path.weight *= branch.weight * (scale / p);
+    path.depth = path.depth.after(branch.lobe);
+    return scene.within_depth(path.depth);
   };
   if (u < reflects) {
     return take(event.reflect, reflects) ? SampledLobe::reflection : SampledLobe::none;
@@ -66,11 +57,11 @@ SampledLobe step(const Scene& scene, const Arrival& arrival, const StepSample& s
   }
   u -= transmits;
   if (u >= scatters) return SampledLobe::none;
-  walk.ray = {arrival.hit.point, cosine_direction(event.facing_normal, sample[1], sample[2])};
-  walk.departures = arrival.hit.back();
-  walk.media = arrival.media;
-  walk.weight *= event.diffuse * (scale / scatters);
-  walk.depth = {};
+  path.ray = {arrival.hit.point, cosine_direction(event.facing_normal, unit_point(sample[1], sample[2]))};
+  path.departures = arrival.hit.back();
+  path.media = arrival.media;
+  path.weight *= event.diffuse * (scale / scatters);
+  path.depth = {};
   return SampledLobe::diffuse;
 }
 

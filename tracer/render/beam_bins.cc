@@ -4,10 +4,8 @@
 #include <cmath>
 #include <optional>
 
-#include "base/cpu_clock.h"
-#include "base/parallel.h"
-#include "material/surface.h"
 #include "render/camera.h"
+#include "render/first_hit.h"
 #include "render/polygon.h"
 
 namespace vitrail {
@@ -19,7 +17,7 @@ constexpr std::size_t kBeamsPerBlock = 1024, kBlocksAtOnce = 256;
 constexpr double kPerspective = 1.05;
 constexpr int kMostCuts = 8;
 
-// A look must end this close to the plane of the beam, of the distances involved.
+// A camera ray must end this close to the plane of the beam, of the distances involved.
 constexpr double kRounding = 0x1p-36;
 
 struct Deposit {
@@ -36,8 +34,7 @@ struct Piece {
 
 class BeamPainter {
  public:
-  BeamPainter(const Scene& scene, const Intersector& intersector)
-      : scene_(scene), intersector_(intersector), media_(intersector.media_at(scene.camera.position)) {}
+  explicit BeamPainter(const World& world) : scene_(world.scene), camera_(world) {}
 
   void paint(const BeamMap& map, std::size_t index, std::vector<Deposit>& deposits) {
     const Beam& beam = map.beam(index);
@@ -146,13 +143,10 @@ class BeamPainter {
   void deposit(const Piece& piece, const std::array<ImagePoint, 3>& seen, Polygon::Corner place, double share) {
     const int x = static_cast<int>(std::floor(place.x)), y = static_cast<int>(std::floor(place.y));
     if (x < 0 || y < 0 || x >= scene_.image.width || y >= scene_.image.height) return;
-    const Ray ray = camera_ray(scene_.camera, scene_.image, place.x, place.y);
-    const MediumSet media = scene_.camera.kind == CameraKind::perspective ? media_ : intersector_.media_at(ray.origin);
-    const Arrival arrival = advance(scene_, intersector_, ray, {}, media, 0, !scene_.paper.disperse_camera);
+    const FirstHit hit = camera_.through(place.x, place.y);
+    const Arrival& arrival = hit.arrival;
     if (arrival.escaped || !(dot(arrival.event.facing_normal, normal_) > 0) || is_elsewhere(arrival.hit.point)) return;
-    const double cosine = -dot(ray.direction, arrival.event.facing_normal);
-    const double ratio = ior_in(scene_, media, 0) / arrival.event.index.from;
-    const double pixels_per_m2 = seen_at(arrival.hit.point, seen) * cosine;
+    const double pixels_per_m2 = seen_at(arrival.hit.point, seen) * hit.cosine, ratio = hit.ior_ratio;
     deposits_->push_back({x, y,
                           arrival.transmittance * arrival.event.diffuse * power_at(piece, seen, place) *
                               (piece.share * share * pixels_per_m2 * ratio * ratio / M_PI)});
@@ -184,8 +178,7 @@ class BeamPainter {
   }
 
   const Scene& scene_;
-  const Intersector& intersector_;
-  MediumSet media_;  // around a camera that looks from one place
+  FirstHitFinder camera_;
   BeamMap::Sides sides_;
   Vec3 normal_, plane_;  // of the surface where the beam lands, of any length; of the beam's plane, unit or nothing
   std::vector<Deposit>* deposits_ = nullptr;
@@ -193,35 +186,29 @@ class BeamPainter {
 
 }  // namespace
 
-double deposit_beams(const Scene& scene, const Intersector& intersector, const BeamMap& map, int half, unsigned threads,
-                     Monitor& monitor, Film& film) {
+double deposit_beams(const World& world, const BeamMap& map, int half, const Workers& workers, Film& film) {
   const std::size_t blocks = (map.size() + kBeamsPerBlock - 1) / kBeamsPerBlock;
-  std::vector<double> cpu_s(blocks);
+  double cpu_s = 0;
   std::vector<std::vector<Deposit>> deposits(kBlocksAtOnce);
-  monitor.begin("light_bins", blocks);
-  for (std::size_t begin = 0; begin < blocks && !monitor.interrupted(); begin += kBlocksAtOnce) {
+  workers.monitor.begin("light_bins", blocks);
+  for (std::size_t begin = 0; begin < blocks && !workers.monitor.interrupted(); begin += kBlocksAtOnce) {
     // Cut the beams of some blocks on all threads, ...
     const std::size_t count = std::min(kBlocksAtOnce, blocks - begin);
-    parallel_blocks(count, threads, [&](std::uint64_t b, unsigned) {
-      const double start = thread_cpu_s();
-      deposits[b].clear();
-      BeamPainter painter(scene, intersector);
+    for (std::vector<Deposit>& of_block : deposits) of_block.clear();
+    cpu_s += workers.for_each_block(count, [&](std::uint64_t b) {
+      BeamPainter painter(world);
       const std::size_t first = (begin + b) * kBeamsPerBlock, last = std::min(map.size(), first + kBeamsPerBlock);
       for (std::size_t i = first; i < last; ++i) painter.paint(map, i, deposits[b]);
-      cpu_s[begin + b] = thread_cpu_s() - start;
-      monitor.advance(1);
     });
 
     // ... and add them up in their order on this one.
-    for (std::size_t b = 0; b < count; ++b) {
-      for (const Deposit& deposit : deposits[b]) {
+    for (const std::vector<Deposit>& of_block : deposits) {
+      for (const Deposit& deposit : of_block) {
         film.at(half, deposit.x, deposit.y)[Layer::caustic] += deposit.radiance;
       }
     }
   }
-  double sum = 0;
-  for (double s : cpu_s) sum += s;
-  return sum;
+  return cpu_s;
 }
 
 }  // namespace vitrail

@@ -1,8 +1,8 @@
 #pragma once
 /// Beams in the pixels that see the surface they land on: exact areas, no samples of the pixel.
 
-#include "base/monitor.h"
-#include "geometry/accel.h"
+#include "base/workers.h"
+#include "geometry/world.h"
 #include "photon/beams/beam_map.h"
 #include "render/film.h"
 
@@ -12,7 +12,6 @@ namespace vitrail {
 /// sees by way of mirrors and glass is left to the map. Each beam is cut along the edges of the pixels, and each piece
 /// brings its pixel d / pi times its flux times the pixels per square metre that the surface covers there. The order of
 /// addition is that of the map: the same bits for any threads. Returns the CPU seconds of all threads.
-double deposit_beams(const Scene& scene, const Intersector& intersector, const BeamMap& map, int half, unsigned threads,
-                     Monitor& monitor, Film& film);
+double deposit_beams(const World& world, const BeamMap& map, int half, const Workers& workers, Film& film);
 
 }  // namespace vitrail

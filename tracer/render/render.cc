@@ -5,7 +5,8 @@
 
 #include "base/cpu_clock.h"
 #include "base/diagnostic.h"
-#include "base/parallel.h"
+#include "photon/caustic_pass.h"
+#include "photon/indirect_pass.h"
 #include "render/beam_bins.h"
 #include "render/light_bins.h"
 #include "render/tile.h"
@@ -47,38 +48,55 @@ void warn_of_truncated_light(const Scene& scene, const PhotonStatistics& statist
   }
 }
 
-void add(const Scene& scene, const PhotonStatistics& statistics, Rendering& result) {
-  result.ledger = statistics.ledger;
+// Add the costs and warnings of a photon pass.
+void add(const PhotonStatistics& statistics, Rendering& result) {
   result.warnings.insert(result.warnings.end(), statistics.warnings.begin(), statistics.warnings.end());
-  warn_of_truncated_light(scene, statistics, result.warnings);
   result.cpu_s.photon_pass += statistics.trace_cpu_s;
   result.cpu_s.photon_sort += statistics.sort_cpu_s;
   result.counters.photons_emitted += statistics.emitted;
   result.counters.photons_stored += statistics.stored;
 }
 
-void add(const IndirectMaps& maps, Rendering& result) {
-  result.warnings.insert(result.warnings.end(), maps.warnings.begin(), maps.warnings.end());
-  result.cpu_s.photon_pass += maps.trace_cpu_s;
-  result.cpu_s.photon_sort += maps.sort_cpu_s;
-  result.counters.photons_emitted += maps.emitted;
-  result.counters.photons_stored += maps.stored;
+// Send out the photons.
+LightMaps trace_light(const World& world, const Workers& workers, Rendering& result) {
+  LightMaps maps;
+  if (has_photon_pass(world.scene)) {
+    maps.caustic = make_caustic_maps(world, workers);
+    const PhotonStatistics& statistics = maps.caustic.statistics;
+    result.ledger = statistics.ledger;
+    add(statistics, result);
+    warn_of_truncated_light(world.scene, statistics, result.warnings);
+  }
+  if (has_indirect_pass(world.scene)) {
+    maps.indirect = make_indirect_maps(world, workers);
+    add(maps.indirect.statistics, result);
+  }
+  return maps;
 }
 
-void count_in_pixels(const Scene& scene, const Intersector& intersector, const PhotonMaps& maps, unsigned threads,
-                     Monitor& monitor, Rendering& result) {
-  for (int half = 0; half < 2; ++half) {
-    if (maps.half[half]) {
-      result.cpu_s.gather +=
-          deposit_in_pixels(scene, intersector, *maps.half[half], half, threads, monitor, result.film);
-    }
-    if (maps.beams[half]) {
-      result.cpu_s.gather += deposit_beams(scene, intersector, *maps.beams[half], half, threads, monitor, result.film);
-    }
+// Follow the camera paths of every pixel.
+void trace_camera(const LitWorld& world, const Workers& workers, Rendering& result) {
+  const std::vector<Tile> tiles = tiles_of(world.scene.image);
+  std::vector<TileStatistics> statistics(tiles.size());
+  workers.monitor.begin("camera", tiles.size());
+  workers.for_each_block(tiles.size(),
+                         [&](std::uint64_t t) { statistics[t] = render_tile(world, tiles[t], result.film); });
+  for (const TileStatistics& tile : statistics) {
+    result.counters += tile.counters;
+    result.cpu_s.camera += tile.camera_cpu_s;
+    result.cpu_s.gather += tile.gather_cpu_s;
   }
 }
 
-void refuse_what_cannot_work(const Scene& scene, const Intersector& intersector) {
+void count_in_pixels(const World& world, const PhotonMaps& maps, const Workers& workers, Rendering& result) {
+  for (int half = 0; half < 2; ++half) {
+    if (maps.half[half]) result.cpu_s.gather += deposit_in_pixels(world, *maps.half[half], half, workers, result.film);
+    if (maps.beams[half]) result.cpu_s.gather += deposit_beams(world, *maps.beams[half], half, workers, result.film);
+  }
+}
+
+void refuse_what_cannot_work(const World& world) {
+  const Scene& scene = world.scene;
   std::vector<Diagnostic> found;
   if ((has_photon_pass(scene) || has_indirect_pass(scene)) && !(scene.settings.gather_radius_m > 0)) {
     found.push_back({"settings.gather_radius_m", "is not above 0, but the plan has a photon pass",
@@ -87,11 +105,7 @@ void refuse_what_cannot_work(const Scene& scene, const Intersector& intersector)
   if (scene.settings.photons / 2 >= (std::uint64_t{1} << 32)) {
     found.push_back({"settings.photons", "is above 2^33", "render several seeds and average them"});
   }
-  const std::string& solver = scene.settings.solver;
-  if (solver != "auto" && solver != "photon_map" && solver != "light_bins" && solver != "beams") {
-    found.push_back({"settings.solver", "is `" + solver + "`", "write auto, photon_map, light_bins or beams"});
-  }
-  const double mb = static_cast<double>(predicted_bytes(scene, intersector)) / 1e6;
+  const double mb = static_cast<double>(predicted_bytes(world)) / 1e6;
   if (scene.settings.memory_limit_mb > 0 && mb > scene.settings.memory_limit_mb) {
     found.push_back({"settings.memory_limit_mb",
                      "the rendering needs about " + std::to_string(static_cast<long>(mb)) + " MB, the limit is " +
@@ -112,57 +126,31 @@ Counters& Counters::operator+=(const Counters& other) {
   return *this;
 }
 
-Rendering render(const Scene& scene, unsigned threads, Monitor& monitor) {
+Rendering render(const Scene& scene, const Workers& workers) {
   // Build what rays ask, and see whether the rest fits.
   const double start = thread_cpu_s();
   const Intersector intersector(scene);
-  refuse_what_cannot_work(scene, intersector);
-  Rendering result{Film(scene.image.width, scene.image.height), {}, {}, {}, {}, false};
+  const World world{scene, intersector};
+  refuse_what_cannot_work(world);
+  Rendering result{.film = Film(scene.image.width, scene.image.height)};
   result.cpu_s.build = thread_cpu_s() - start;
 
-  // Send out the photons.
-  LightMaps maps;
-  if (has_photon_pass(scene)) {
-    maps.caustic = make_photon_maps(scene, intersector, threads, monitor);
-    add(scene, maps.caustic.statistics, result);
-  }
-  if (has_indirect_pass(scene)) {
-    maps.indirect = make_indirect_maps(scene, intersector, threads, monitor);
-    add(maps.indirect, result);
-  }
-
-  // Look through every pixel.
-  const std::vector<Tile> tiles = tiles_of(scene.image);
-  std::vector<TileStatistics> statistics(tiles.size());
-  const TileContext context{scene, intersector, maps};
-  monitor.begin("camera", tiles.size());
-  parallel_blocks(tiles.size(), threads, [&](std::uint64_t t, unsigned) {
-    if (monitor.interrupted()) return;
-    statistics[t] = render_tile(context, tiles[t], result.film);
-    monitor.advance(1);
-  });
-  for (const TileStatistics& tile : statistics) {
-    result.counters += tile.counters;
-    result.cpu_s.camera += tile.camera_cpu_s;
-    result.cpu_s.gather += tile.gather_cpu_s;
-  }
-  if (counts_in_pixels(scene)) count_in_pixels(scene, intersector, maps.caustic, threads, monitor, result);
-  result.interrupted = monitor.interrupted();
+  // Send out the photons, follow the camera paths, and bring the two together.
+  const LightMaps maps = trace_light(world, workers, result);
+  trace_camera({world, maps}, workers, result);
+  if (counts_in_pixels(scene)) count_in_pixels(world, maps.caustic, workers, result);
+  result.interrupted = workers.monitor.interrupted();
   return result;
 }
 
-std::string solver_of(const Scene& scene) {
-  if (takes_beams(scene)) return "beams";
-  return takes_light_bins(scene) ? "light_bins" : "photon_map";
-}
-
-std::uint64_t predicted_bytes(const Scene& scene, const Intersector& intersector) {
+std::uint64_t predicted_bytes(const World& world) {
+  const Scene& scene = world.scene;
   std::uint64_t bytes = Film::predicted_bytes(scene.image.width, scene.image.height);
   if (has_photon_pass(scene)) {
-    const double stored = stored_per_photon(scene, intersector);
+    const double stored = stored_per_photon(world);
     const auto corners = static_cast<std::size_t>(stored * static_cast<double>(scene.settings.photons));
-    bytes +=
-        takes_beams(scene) ? BeamMap::predicted_bytes(corners) : predicted_photon_bytes(scene.settings.photons, stored);
+    bytes += scene.solver() == Solver::beams ? BeamMap::predicted_bytes(corners)
+                                             : predicted_photon_bytes(scene.settings.photons, stored);
   }
   // A walk in a white room stores a photon several times; in most rooms fewer than three.
   if (has_indirect_pass(scene)) bytes += predicted_photon_bytes(scene.settings.photons, 3);

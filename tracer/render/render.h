@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "base/monitor.h"
-#include "geometry/accel.h"
+#include "base/workers.h"
+#include "geometry/world.h"
 #include "photon/ledger.h"
 #include "render/film.h"
 
@@ -23,21 +23,18 @@ struct Counters {
 
 struct Rendering {
   Film film;
-  Ledger ledger;
-  CpuSeconds cpu_s;
-  Counters counters;
-  std::vector<std::string> warnings;
+  Ledger ledger{};
+  CpuSeconds cpu_s{};
+  Counters counters{};
+  std::vector<std::string> warnings{};
   bool interrupted = false;
 };
 
 /// Render with scene.settings. The same bits for any number of threads. Throws InputError if settings cannot work: no
 /// gather radius for a caustic, or more memory predicted than settings.memory_limit_mb.
-Rendering render(const Scene& scene, unsigned threads, Monitor& monitor);
-
-/// The solver of caustics that a rendering takes; what `auto` stands for.
-std::string solver_of(const Scene& scene);
+Rendering render(const Scene& scene, const Workers& workers);
 
 /// Peak bytes of a rendering, before they are allocated.
-std::uint64_t predicted_bytes(const Scene& scene, const Intersector& intersector);
+std::uint64_t predicted_bytes(const World& world);
 
 }  // namespace vitrail

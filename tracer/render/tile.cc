@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kTileSide = 32;
 
-// A light with an extent is looked at this often per pixel, shared out over the pixel's samples.
+// A light with an extent is sampled this often per pixel, shared out over the pixel's samples.
 constexpr int kLightSamplesPerPixel = 16;
 
 // The samples of one pixel: one through its centre, or two independent sets of Owen-Sobol points.
@@ -23,10 +23,10 @@ struct PixelSampler {
   explicit PixelSampler(const Scene& scene)
       : per_half(std::max(1, (scene.settings.samples + 1) / 2)),
         centred(scene.settings.samples <= 1),
-        shared(centred && !draws_lots(scene)) {}
+        shared(centred && !is_random(scene)) {}
 
-  // Whether a look through one place may see two things: by a rough face, by lamps with an extent, or by looks around.
-  static bool draws_lots(const Scene& scene) {
+  // Whether two paths through one place may see two things: by rough faces, lamps with an extent, or a final gather.
+  static bool is_random(const Scene& scene) {
     const bool extended =
         std::any_of(scene.lights.begin(), scene.lights.end(), [](const Light& light) { return !is_delta(light); });
     return extended || scene.plan.roughness || scene.transport.indirect == Indirect::photons;
@@ -39,22 +39,18 @@ struct PixelSampler {
   }
 };
 
-// Look through every sample of a pixel and add what is seen at once; leave the rest in `requests`.
+// Follow every sample of a pixel and add what is seen at once; leave the rest in `requests`.
 class PixelRenderer {
  public:
-  PixelRenderer(const TileContext& context, Film& film, TileStatistics& statistics)
-      : context_(context),
-        film_(film),
-        statistics_(statistics),
-        sampler_(context.scene),
-        tracer_(context.scene, context.intersector, context.maps) {}
+  PixelRenderer(const LitWorld& world, Film& film, TileStatistics& statistics)
+      : world_(world), film_(film), statistics_(statistics), sampler_(world.scene), tracer_(world) {}
 
   void render(int x, int y, std::uint32_t pixel_in_tile, std::vector<GatherRequest>& requests) {
     const double share = 1.0 / sampler_.per_half;
     for (int half = 0; half < (sampler_.shared ? 1 : 2); ++half) {
       HalfPixel sum;
       for (int sample = 0; sample < sampler_.per_half; ++sample) {
-        look(x, y, half, sample);
+        trace_sample(x, y, half, sample);
         for (int l = 0; l < kLayerCount; ++l) sum.layers[l] += result_.radiance.layers[l];
         for (GatherRequest request : result_.requests) {
           request.weight = request.weight * share;
@@ -73,18 +69,18 @@ class PixelRenderer {
   }
 
  private:
-  void look(int x, int y, int half, int sample) {
-    const Scene& scene = context_.scene;
+  void trace_sample(int x, int y, int half, int sample) {
+    const Scene& scene = world_.scene;
     const auto pixel =
         static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(scene.image.width) + static_cast<std::uint64_t>(x);
     const auto [dx, dy] = sampler_.at(scene.settings.seed, pixel, half, sample);
     CameraPath path;
     path.ray = camera_ray(scene.camera, scene.image, x + dx, y + dy);
-    path.media = context_.intersector.media_at(path.ray.origin);
+    path.media = world_.intersector.media_at(path.ray.origin);
     path.draw = {stream_of(scene.settings.seed, Purpose::kLightSample, pixel, static_cast<std::uint64_t>(half)),
                  static_cast<std::uint32_t>(sample)};
     path.rough = stream_of(scene.settings.seed, Purpose::kCameraRoughness, pixel, static_cast<std::uint64_t>(half));
-    path.around = stream_of(scene.settings.seed, Purpose::kFinalGather, pixel, static_cast<std::uint64_t>(half));
+    path.gather = stream_of(scene.settings.seed, Purpose::kFinalGather, pixel, static_cast<std::uint64_t>(half));
     path.half = half;
     path.light_samples = std::max(1, kLightSamplesPerPixel / std::max(1, scene.settings.samples));
     tracer_.trace(path, result_);
@@ -92,7 +88,7 @@ class PixelRenderer {
     statistics_.counters.shadow_rays += result_.shadow_rays;
   }
 
-  const TileContext& context_;
+  const LitWorld& world_;
   Film& film_;
   TileStatistics& statistics_;
   PixelSampler sampler_;
@@ -125,20 +121,20 @@ std::vector<Tile> tiles_of(const Image& image) {
   return tiles;
 }
 
-TileStatistics render_tile(const TileContext& context, const Tile& tile, Film& film) {
+TileStatistics render_tile(const LitWorld& world, const Tile& tile, Film& film) {
   TileStatistics statistics;
   std::vector<GatherRequest> requests;
   const double start = thread_cpu_s();
-  PixelRenderer renderer(context, film, statistics);
+  PixelRenderer renderer(world, film, statistics);
   std::uint32_t pixel = 0;
   for (int y = tile.y0; y < tile.y1; ++y) {
     for (int x = tile.x0; x < tile.x1; ++x) renderer.render(x, y, pixel++, requests);
   }
-  const double looked = thread_cpu_s();
-  statistics.camera_cpu_s = looked - start;
-  gather(context.maps.caustic, tile, requests, film);
+  const double traced = thread_cpu_s();
+  statistics.camera_cpu_s = traced - start;
+  gather(world.maps.caustic, tile, requests, film);
   for (const GatherRequest& request : requests) statistics.counters.gather_queries += request.both_halves ? 2 : 1;
-  statistics.gather_cpu_s = thread_cpu_s() - looked;
+  statistics.gather_cpu_s = thread_cpu_s() - traced;
   return statistics;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// One tile of the image: look through every sample of every pixel, then gather photons for all of them at once.
+/// One tile of the image: follow every sample of every pixel, then gather photons for all of them at once.
 
 #include "render/render.h"
 #include "render/whitted.h"
@@ -13,19 +13,12 @@ struct Tile {
 /// The tiles of an image in reading order.
 std::vector<Tile> tiles_of(const Image& image);
 
-/// What all tiles share.
-struct TileContext {
-  const Scene& scene;
-  const Intersector& intersector;
-  const LightMaps& maps;
-};
-
 struct TileStatistics {
   Counters counters;
   double camera_cpu_s = 0, gather_cpu_s = 0;
 };
 
 /// Render a tile into its part of the film.
-TileStatistics render_tile(const TileContext& context, const Tile& tile, Film& film);
+TileStatistics render_tile(const LitWorld& world, const Tile& tile, Film& film);
 
 }  // namespace vitrail

@@ -1,5 +1,5 @@
 #pragma once
-/// The camera side: follow a look through mirrors and glass, with the paper's weights [S eqs. 1, 2, 5].
+/// The camera side: follow a camera path through mirrors and glass, with the paper's weights [S eqs. 1, 2, 5].
 
 #include <vector>
 
@@ -19,16 +19,16 @@ struct GatherRequest {
   Rgb weight;  // radiance per irradiance found: throughput times d / pi
   std::uint32_t pixel = 0;
   std::uint8_t half = 0;
-  bool both_halves = false;  // one sample per pixel: the same look asks both maps
+  bool both_halves = false;  // one sample per pixel: the same path asks both maps
 };
 
 /// What one camera ray is made of besides its direction.
 struct CameraPath {
   Ray ray;
   MediumSet media;  // the solids the camera is in
-  LightDraw draw;   // random numbers of this sample: for lights ...
+  SampleDraw draw;  // random numbers of this sample: for lights ...
   Stream rough;     // ... for rough faces ...
-  Stream around;    // ... and for looks around
+  Stream gather;    // ... and for the final gather
   int half = 0;     // whose photons are asked for indirect light
   int light_samples = 1;
 };
@@ -39,40 +39,35 @@ struct PathResult {
   std::uint64_t rays = 0, shadow_rays = 0;
 };
 
+/// A camera path between two surfaces.
+struct CameraVertex {
+  PathState path;          // the weight is the throughput
+  bool scattered = false;  // has met a rough face
+  Layer layer = Layer::diffusion;
+};
+
 /// Follow every branch of a camera path to its end. Clears and refills `result`, which the caller keeps for its memory.
 class CameraTracer {
  public:
-  CameraTracer(const Scene& scene, const Intersector& intersector, const LightMaps& maps);
+  explicit CameraTracer(const LitWorld& world);
   void trace(const CameraPath& path, PathResult& result);
 
  private:
-  /// A ray on its way, with what it will count for.
-  struct Look {
-    Ray ray;
-    Departures departures;
-    MediumSet media;
-    Rgb throughput;
-    std::uint32_t band = 0;
-    bool band_chosen = false;
-    Depth depth{};
-    bool scattered = false;  // has met a rough face
-    Layer layer = Layer::diffusion;
-  };
-  Rgb indirect(const Look& look, const Arrival& arrival, const Interaction& event) const;
-  bool is_binned(const Look& look) const;
-  void go_on(const Look& look, const Arrival& arrival, const Interaction& event, Rgb throughput);
-  void meet(const Look& look, const Arrival& arrival, const Interaction& event, Rgb throughput);
-  void scatter(const Look& look, const Arrival& arrival, const Interaction& event, Rgb throughput, PathResult& result);
-  void send(const Look& look, const Arrival& arrival, const Branch& branch, Rgb throughput);
+  // In these the weight of the vertex is the throughput at the arrival.
+  void arrive(CameraVertex& vertex, const Arrival& arrival, PathResult& result);
+  void shade(const CameraVertex& vertex, const Arrival& arrival, PathResult& result);
+  void scatter(const CameraVertex& vertex, const Arrival& arrival, const Interaction& event);
+  void divide(const CameraVertex& vertex, const Arrival& arrival, const Interaction& event);
+  void send(const CameraVertex& from, const Arrival& arrival, const Branch& branch);
+  Rgb indirect(const CameraVertex& vertex, const ShadingPoint& at) const;
+  bool is_binned(const CameraVertex& vertex) const;
 
+  const LitWorld& world_;
   const Scene& scene_;
-  const Intersector& intersector_;
-  const LightMaps& maps_;
-  bool in_bins_;                 // photons on what the camera sees directly are counted in its pixels
-  std::vector<bool> disperses_;  // by material: the index differs between bands
+  bool in_bins_;  // photons on what the camera sees directly are counted in its pixels
   CameraPath path_;
   double ior_at_camera_ = 1;
-  std::vector<Look> pending_;
+  std::vector<CameraVertex> pending_;
 };
 
 }  // namespace vitrail

@@ -13,6 +13,7 @@
 #include "base/vec3.h"
 #include "scene/shape.h"
 #include "scene/sky_image.h"
+#include "scene/solver.h"
 
 namespace vitrail {
 
@@ -179,7 +180,7 @@ struct Settings {
   std::uint64_t seed = 0;
   int rough_samples = 1, final_gather_rays = 0;
   double memory_limit_mb = 0;  // 0: no limit
-  std::string solver = "auto";
+  Solver solver = Solver::automatic;
 };
 
 struct Scene {
@@ -199,6 +200,11 @@ struct Scene {
   Vec3 shift;
 
   const Material& material_of(std::uint32_t object) const { return materials[objects[object].material]; }
+
+  /// The solver that a rendering of this scene takes.
+  Solver solver() const {
+    return resolve(settings.solver, settings.photons, static_cast<double>(image.width) * image.height);
+  }
 
   /// Whether light may go on after so many faces.
   bool within_depth(const Depth& depth) const {

@@ -107,7 +107,8 @@ class BeamTracer : private LandingSink {
     const Emission emission = emit(lattice_.chart_, {point, {}});
     if (!is_black(emission.power)) {
       const MediumSet media = lattice_.pass_.intersector.media_at(emission.ray.origin);
-      tree_.follow({emission.ray, {}, media, emission.power, kLeastPhotonShare * largest_channel(emission.power)});
+      tree_.follow({.path = {.ray = emission.ray, .media = media, .weight = emission.power},
+                    .least = kLeastPhotonShare * largest_channel(emission.power)});
     }
     result.ledger = ledger_of_ray_;
     result.end_count = static_cast<std::uint32_t>(ends_.size()) - result.first_end;

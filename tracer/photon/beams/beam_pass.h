@@ -3,14 +3,14 @@
 
 #include <vector>
 
+#include "base/workers.h"
 #include "photon/beams/beam_lattice.h"
-#include "photon/pass.h"
+#include "photon/photon_maps.h"
 
 namespace vitrail {
 
 /// Adds to the statistics of `maps`: a ray counts as a photon emitted, a beam as one stored, and the ledger is the sum
-/// of both halves. The maps stay empty if the monitor interrupts.
-void make_beams(const PhotonPass& pass, const std::vector<Chart>& charts, unsigned threads, Monitor& monitor,
-                PhotonMaps& maps);
+/// of both halves. No maps if the monitor interrupts.
+void make_beams(const PhotonPass& pass, const std::vector<Chart>& charts, const Workers& workers, PhotonMaps& maps);
 
 }  // namespace vitrail

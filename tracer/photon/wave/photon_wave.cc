@@ -37,7 +37,7 @@ PhotonWave::PhotonWave(const PhotonPass& pass, std::uint32_t target, Stream stre
     const Material& material = scene_.material_of(i);
     faces_.push_back({&material, material.reflection + material.transmission, material.transmits(),
                       !is_black(material.reflection), is_sheet(scene_.objects[i].shape), can_be_diffuse(material),
-                      tells_bands_apart(scene_, i), !is_black(material.absorption_per_m), scene_.objects[i].priority});
+                      is_dispersive(scene_, i), !is_black(material.absorption_per_m), scene_.objects[i].priority});
     anything_absorbs_ = anything_absorbs_ || faces_.back().absorbs;
   }
 }
@@ -49,7 +49,7 @@ void PhotonWave::add(const Ray& ray, Rgb flux) {
 void PhotonWave::add(const Ray& ray, const MediumSet& media, Rgb flux) {
   const double least = kLeastPhotonShare * largest_channel(flux);
   if (media.size() > 1) {
-    tree_.follow({ray, {}, media, flux, least});
+    tree_.follow({.path = {.ray = ray, .media = media, .weight = flux}, .least = least});
     return;
   }
   DiscreteState state;
@@ -120,19 +120,19 @@ void PhotonWave::escape(std::size_t lane) {
 void PhotonWave::follow_generally(std::size_t lane) {
   const DiscreteState& state = now_.state(lane);
   const HitId departed = HitId::of_lane(now_.departed()[lane]);
-  Flight flight;
-  flight.ray = now_.ray(lane);
+  LightVertex photon{.least = now_.least(lane)};
+  PathState& path = photon.path;
+  path.ray = now_.ray(lane);
   if (departed.object != kNoObject) {
-    flight.departures.push_back({static_cast<std::uint32_t>(departed.object),
-                                 static_cast<std::uint32_t>(state.departed_face), departed.entering});
+    path.departures.push_back({static_cast<std::uint32_t>(departed.object),
+                               static_cast<std::uint32_t>(state.departed_face), departed.entering});
   }
-  if (state.medium != kNoObject) flight.media.enter(static_cast<std::uint32_t>(state.medium));
-  flight.flux = now_.flux(lane);
-  flight.least = now_.least(lane);
-  flight.band_chosen = state.band >= 0;
-  flight.band = flight.band_chosen ? static_cast<std::uint32_t>(state.band) : 0;
-  flight.depth = state.depth();
-  tree_.follow(flight);
+  if (state.medium != kNoObject) path.media.enter(static_cast<std::uint32_t>(state.medium));
+  path.weight = now_.flux(lane);
+  path.band_chosen = state.band >= 0;
+  path.band = path.band_chosen ? static_cast<std::uint32_t>(state.band) : 0;
+  path.depth = state.depth();
+  tree_.follow(photon);
 }
 
 }  // namespace vitrail

@@ -1,0 +1,86 @@
+#include "photon/caustic_pass.h"
+
+#include <algorithm>
+
+#include "photon/beams/beam_pass.h"
+#include "photon/halves.h"
+
+namespace vitrail {
+namespace {
+
+PhotonPass pass_of(const World& world, const Targets& targets) {
+  return {world, {targets.surroundings.center}, targets.surroundings.radius};
+}
+
+// Trace the photons of all charts, and sort those of each half into a map.
+void make_photons(const PhotonPass& pass, const std::vector<Chart>& charts, const Workers& workers, PhotonMaps& maps) {
+  const Settings& settings = pass.scene.settings;
+  auto traced = trace_halves(plan_blocks(charts), "photon_pass", workers, [&](const ChartBlock& block) {
+    const Stream stream = stream_of(settings.seed, Purpose::kEmissionPosition, block.chart, block.half);
+    return trace_photons(pass, charts[block.chart], stream, block.first, block.count);
+  });
+
+  // Add the ledgers in the order of the blocks.
+  PhotonStatistics& statistics = maps.statistics;
+  std::array<std::vector<std::vector<PhotonRecord>>, 2> photons;
+  for (std::size_t half = 0; half < 2; ++half) {
+    for (PhotonBlock& block : traced.half[half]) {
+      statistics.ledger += block.ledger;
+      statistics.stored += block.photons.size();
+      photons[half].push_back(std::move(block.photons));
+    }
+  }
+  for (const Chart& chart : charts) statistics.emitted += 2 * chart.count;
+  statistics.trace_cpu_s += traced.cpu_s;
+  statistics.sort_cpu_s += build_halves(workers, [&](std::uint64_t half) {
+    maps.half[half] = std::make_unique<PhotonMap>(pass.frame, std::move(photons[half]), settings.gather_radius_m);
+  });
+}
+
+}  // namespace
+
+PhotonMaps make_caustic_maps(const World& world, const Workers& workers) {
+  const Scene& scene = world.scene;
+  const Targets targets = find_targets(scene, world.intersector);
+  const PhotonPass pass = pass_of(world, targets);
+  std::vector<Chart> photons = make_charts(scene, targets, scene.settings.photons / 2), beams;
+
+  // Leave to beams what they can do.
+  if (scene.solver() == Solver::beams) {
+    const auto rest = std::stable_partition(photons.begin(), photons.end(),
+                                            [&](const Chart& chart) { return suits_beams(scene, chart); });
+    beams.assign(photons.begin(), rest);
+    photons.erase(photons.begin(), rest);
+  }
+
+  PhotonMaps maps;
+  maps.statistics.warnings = targets.warnings;
+  if (!beams.empty()) make_beams(pass, beams, workers, maps);
+  if (!photons.empty() || beams.empty()) make_photons(pass, photons, workers, maps);
+  maps.statistics.ledger = maps.statistics.ledger.scaled(0.5);
+  return maps;
+}
+
+double stored_per_photon(const World& world) {
+  constexpr std::uint64_t kPilot = 512;
+  const Scene& scene = world.scene;
+  const Targets targets = find_targets(scene, world.intersector);
+  const PhotonPass pass = pass_of(world, targets);
+  double stored = 0, emitted = 0;
+  for (const Chart& chart : make_charts(scene, targets, scene.settings.photons / 2)) {
+    const std::uint64_t count = std::min(kPilot, chart.count);
+    const Stream stream = stream_of(scene.settings.seed, Purpose::kPilot);
+    const PhotonBlock block = trace_photons(pass, chart, stream, 0, count);
+    const double each_stands_for = static_cast<double>(chart.count) / static_cast<double>(count);
+    stored += each_stands_for * static_cast<double>(block.photons.size());
+    emitted += static_cast<double>(chart.count);
+  }
+  return emitted > 0 ? stored / emitted : 0;
+}
+
+std::uint64_t predicted_photon_bytes(std::uint64_t photons, double stored_per_photon) {
+  const auto stored = static_cast<std::uint64_t>(stored_per_photon * static_cast<double>(photons));
+  return 2 * PhotonMap::predicted_bytes(stored / 2);
+}
+
+}  // namespace vitrail
