@@ -11,7 +11,8 @@ from typing import Any
 
 import numpy as np
 
-from vitrail.engines.base import EngineFailure, Progress, Rendering, silent
+from vitrail.base.progress import Progress, silent
+from vitrail.engines.base import EngineFailure, Rendering
 from vitrail.images.exr import write_image
 
 CARD = """

@@ -21,7 +21,7 @@ def extremes(
     as_json: bool = typer.Option(False, "--json", help="Print the atlas as JSON."),
 ) -> None:
     with exit_codes():
-        from vitrail.commands.study_options import study_progress
+        from vitrail.commands.progress_bar import progress_bar
         from vitrail.report.atlas_page import write_atlas_page, write_atlas_text
         from vitrail.study.extremes.atlas import AXES, run_atlas
 
@@ -30,8 +30,8 @@ def extremes(
         if unknown:
             raise usage_error(f"--axis {unknown[0]}: there is no such axis; choose from {', '.join(names)}")
         chosen = [known for known in AXES if not axis or known.name in axis]
-        with study_progress("extremes") as report:
-            atlas = run_atlas(out, jobs=jobs, axes=chosen, report=report)
+        with progress_bar("extremes") as show:
+            atlas = run_atlas(out, jobs=jobs, axes=chosen, progress=show)
         page = write_atlas_page(out, atlas)
         write_atlas_text(out, atlas)
     if as_json:

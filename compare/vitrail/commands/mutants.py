@@ -36,7 +36,7 @@ def mutants(
         _equal_runs(scenes / "calibration" / "ball_lens.yaml", out, equal_runs, as_json)
         return
     with exit_codes():
-        from vitrail.commands.study_options import study_progress
+        from vitrail.commands.progress_bar import progress_bar
         from vitrail.report.mutants_page import write_mutants_page
         from vitrail.study.mutants.catalogue import MUTANTS
         from vitrail.study.mutants.run import run_mutants
@@ -46,8 +46,8 @@ def mutants(
         if unknown:
             raise usage_error(f"--only {unknown[0]}: there is no such mutant; choose from {', '.join(names)}")
         chosen = [known for known in MUTANTS if not only or known.name in only]
-        with study_progress("mutants") as report:
-            found = run_mutants(scenes, out, mutants=chosen, jobs=jobs, report=report)
+        with progress_bar("mutants") as show:
+            found = run_mutants(scenes, out, mutants=chosen, jobs=jobs, progress=show)
         page = write_mutants_page(out, found)
         if publish is not None:
             page = _publish(scenes / "calibration", out, publish, found)
@@ -77,13 +77,13 @@ def _publish(bench: Path, out: Path, target: Path, found: Mutants) -> Path:
 def _equal_runs(scene: Path, out: Path, pairs: int, as_json: bool) -> None:
     """Count the false alarms between runs that are equal but for the seed; exit code 1 when the rate is not kept."""
     with exit_codes():
+        from vitrail.commands.progress_bar import progress_bar
         from vitrail.commands.scene_file import read_scene
-        from vitrail.commands.study_options import study_progress
         from vitrail.engines.tracer import Tracer
         from vitrail.study.equal_runs import equal_runs
 
-        with study_progress("equal runs") as report:
-            found = equal_runs(read_scene(scene), out / "equal", Tracer(), pairs=pairs, overrides={}, report=report)
+        with progress_bar("equal runs") as show:
+            found = equal_runs(read_scene(scene), out / "equal", Tracer(), pairs=pairs, overrides={}, progress=show)
     if as_json:
         print_json(found.model_dump(mode="json"))
     for row in [] if as_json else found.rates:

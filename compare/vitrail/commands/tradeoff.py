@@ -63,8 +63,8 @@ def _prices(
     scene: Path, out: Path, extent: Extent, jobs: int, references: Path | None, analyse_only: bool
 ) -> tuple[Tradeoff, Path]:
     """Errors and costs over the matrix of knobs."""
+    from vitrail.commands.progress_bar import progress_bar
     from vitrail.commands.scene_file import read_scene
-    from vitrail.commands.study_options import study_progress
     from vitrail.report.tradeoff_page import write_tradeoff_page
     from vitrail.study.tradeoff.run import NothingObserved, analyse_folder, run_tradeoff
 
@@ -73,8 +73,8 @@ def _prices(
         if analyse_only:
             found = analyse_folder(loaded, out)
         else:
-            with study_progress("tradeoff") as report:
-                found = run_tradeoff(loaded, out, extent=extent, jobs=jobs, references=references, report=report)
+            with progress_bar("tradeoff") as show:
+                found = run_tradeoff(loaded, out, extent=extent, jobs=jobs, references=references, progress=show)
     except NothingObserved as nothing:
         raise usage_error(str(nothing)) from None
     except FileNotFoundError as missing:
@@ -92,8 +92,8 @@ def _predictions(
     budget_s: float | None,
 ) -> list[str]:
     """Settings that the study's model chooses, each with the score of its prediction."""
+    from vitrail.commands.progress_bar import progress_bar
     from vitrail.commands.scene_file import read_scene
-    from vitrail.commands.study_options import study_progress
     from vitrail.report.tradeoff_page import write_tradeoff_page
     from vitrail.study.tradeoff.predict import Aim, predict, prediction_line
     from vitrail.study.tradeoff.run import measure_of
@@ -103,8 +103,8 @@ def _predictions(
         aims += [Aim(phenomenon, budget_s=budget_s) for phenomenon in found.phenomena]
     loaded = read_scene(scene)
     measure, _ = measure_of(loaded, out, extent, references)
-    with study_progress("predictions") as report:
-        predictions = predict(loaded, out, found, measure, aims, report)
+    with progress_bar("predictions") as show:
+        predictions = predict(loaded, out, found, measure, aims, show)
     write_tradeoff_page(out, found, predictions.root)
     return [prediction_line(each) for each in predictions.root]
 
@@ -141,8 +141,8 @@ def _sentences(found: Tradeoff) -> list[str]:
 
 def _plans(scenes: list[Path], out: Path, jobs: int, analyse_only: bool) -> tuple[Plans, Path]:
     """Everything on, the plan, and the plan less one phenomenon at a time."""
+    from vitrail.commands.progress_bar import progress_bar
     from vitrail.commands.scene_file import read_scene
-    from vitrail.commands.study_options import study_progress
     from vitrail.report.plans_page import write_plans_page
     from vitrail.study.tradeoff.plan_study import analyse_plan_folder, run_plan_study
 
@@ -153,8 +153,8 @@ def _plans(scenes: list[Path], out: Path, jobs: int, analyse_only: bool) -> tupl
         except FileNotFoundError as missing:
             raise _not_run(missing) from None
     else:
-        with study_progress("plans") as report:
-            found = run_plan_study(loaded, out, jobs=jobs, report=report)
+        with progress_bar("plans") as show:
+            found = run_plan_study(loaded, out, jobs=jobs, progress=show)
     return found, write_plans_page(out, found)
 
 

@@ -2,17 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Protocol
 
-Progress = Callable[[str, float, float], None]
-"""Called with the phase, the work done and the work in all, as often as an engine likes."""
-
-
-def silent(phase: str, done: float, total: float) -> None:
-    """Progress that nobody watches."""
+from vitrail.base.progress import Progress, silent
 
 
 @dataclass(frozen=True)

@@ -13,7 +13,8 @@ from pathlib import Path
 
 import numpy as np
 
-from vitrail.engines.base import EngineFailure, Progress, Rendering, silent
+from vitrail.base.progress import Progress, silent
+from vitrail.engines.base import EngineFailure, Rendering
 from vitrail.engines.child import Finished, Limits, run_child
 from vitrail.engines.isolate import Allowance, isolate
 from vitrail.engines.photon_file import PhotonFileError, fluxes_of, order_photon_file, write_dark_photon

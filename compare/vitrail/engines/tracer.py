@@ -12,7 +12,8 @@ from typing import Any
 
 import vitrail
 from vitrail.base.canonical_json import canonical_json
-from vitrail.engines.base import EngineFailure, Progress, Rendering, silent
+from vitrail.base.progress import Progress, silent
+from vitrail.engines.base import EngineFailure, Rendering
 from vitrail.engines.child import GIBIBYTE, Finished, Limits, run_child
 
 PROGRAM = "vitrail-tracer"
@@ -86,11 +87,13 @@ class Tracer:
         return Rendering(out_dir / image.name, found)
 
     def trace(self, lowered: dict[str, Any], arguments: Sequence[str]) -> dict[str, Any]:
-        """Follow one ray; the answer is the tracer's own, with its vertices."""
+        """Follow one ray; the answer is the tracer's own, with its vertices. Raises EngineFailure."""
         with tempfile.TemporaryDirectory(prefix="vitrail-trace-") as work:
             scene = Path(work) / "scene.json"
             scene.write_text(canonical_json(lowered), encoding="utf-8")
             finished = self._run(["trace", str(scene), *arguments], Limits(wall_s=600))
+        if finished.interrupted:
+            raise KeyboardInterrupt
         return _read_json(finished, finished.stdout, "its answer")
 
     def _run(self, arguments: Sequence[str], limits: Limits, progress: Progress = silent) -> Finished:

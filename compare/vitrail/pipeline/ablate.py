@@ -11,7 +11,8 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from vitrail.base.phenomenon import Phenomenon
-from vitrail.engines.base import EngineFailure, Progress
+from vitrail.base.progress import Progress
+from vitrail.engines.base import EngineFailure
 from vitrail.geometry.world import World
 from vitrail.images.exr import ImageError, ImageLayers, read_image
 from vitrail.judge.comparison import Cause, ObservationResult, Pair, Verdict

@@ -9,7 +9,8 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
-from vitrail.engines.base import Engine, Progress, silent
+from vitrail.base.progress import Progress, silent
+from vitrail.engines.base import Engine
 from vitrail.images.exr import ImageLayers, read_image
 from vitrail.judge.comparison import Pair
 from vitrail.judge.gates import check_gates

@@ -11,7 +11,8 @@ from typing import Any
 
 from vitrail.base.canonical_json import canonical_json
 from vitrail.base.engine_name import EngineName
-from vitrail.engines.base import EngineFailure, Progress, Rendering
+from vitrail.base.progress import Progress
+from vitrail.engines.base import EngineFailure, Rendering
 from vitrail.engines.cache import Cache, content_key, named_files
 from vitrail.engines.engine_build import build_of
 from vitrail.lower.povray import PovrayScene

@@ -8,8 +8,9 @@ from pathlib import Path
 
 from vitrail.base.canonical_json import canonical_json
 from vitrail.base.engine_name import EngineName
+from vitrail.base.progress import Progress, silent
 from vitrail.base.whole_file import write_whole
-from vitrail.engines.base import Engine, Progress, Rendering, silent
+from vitrail.engines.base import Engine, Rendering
 from vitrail.pipeline.job import Job
 
 

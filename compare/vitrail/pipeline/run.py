@@ -5,7 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 from vitrail.base.engine_name import EngineName
-from vitrail.engines.base import Engine, Progress, Rendering, silent
+from vitrail.base.progress import Progress, silent
+from vitrail.engines.base import Engine, Rendering
 from vitrail.pipeline.job import Job
 
 

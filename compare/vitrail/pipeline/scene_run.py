@@ -7,7 +7,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from vitrail.engines.base import EngineFailure, Progress, Rendering
+from vitrail.base.progress import Progress
+from vitrail.engines.base import EngineFailure, Rendering
 from vitrail.images.exr import ImageError, ImageLayers, read_image
 from vitrail.judge.gates import Inspected, check_gates
 from vitrail.judge.judgement import Residual

@@ -8,7 +8,7 @@ from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from dataclasses import replace
 from pathlib import Path
 
-from vitrail.engines.base import Progress
+from vitrail.base.progress import Progress
 from vitrail.judge.exit_code import INTERRUPTED, of_run, of_scene
 from vitrail.judge.false_alarms import SUITE_FALSE_ALARM_RATE, sidak
 from vitrail.judge.judgement import judge_observation

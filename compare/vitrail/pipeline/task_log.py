@@ -8,11 +8,10 @@ in the order of the plan) and ``costs.jsonl`` are written whole and renamed into
 from __future__ import annotations
 
 import json
-import os
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-from vitrail.base.canonical_json import json_line
+from vitrail.base.journal import append_line, whole_lines
 from vitrail.base.whole_file import write_whole
 from vitrail.pipeline.task import Row, Task
 
@@ -23,9 +22,8 @@ class TaskLog:
     def __init__(self, out: Path) -> None:
         self.out = out
         self.journal = out / "journal.jsonl"
-        self.rows: dict[str, Row] = {}
         out.mkdir(parents=True, exist_ok=True)
-        self._read_journal()
+        self.rows = {row.key: row for row in whole_lines(self.journal, _row_of)}
 
     def missing(self, tasks: Iterable[Task]) -> list[Task]:
         """The tasks that have no row yet, each key once, in the given order."""
@@ -39,11 +37,7 @@ class TaskLog:
 
     def append(self, row: Row) -> None:
         """Remember a finished task durably before anything else happens."""
-        line = json_line({"result": row.result_line(), "cost": row.cost_line()})
-        with self.journal.open("ab") as file:
-            file.write(line.encode() + b"\n")
-            file.flush()
-            os.fsync(file.fileno())
+        append_line(self.journal, {"result": row.result_line(), "cost": row.cost_line()})
         self.rows[row.key] = row
 
     def finish(self, tasks: Sequence[Task]) -> list[Row]:
@@ -52,23 +46,6 @@ class TaskLog:
         write_whole(self.out / "samples.jsonl", "".join(row.result_line() + "\n" for row in ordered))
         write_whole(self.out / "costs.jsonl", "".join(row.cost_line() + "\n" for row in ordered))
         return ordered
-
-    def _read_journal(self) -> None:
-        """Keep every whole line; cut a torn last line off, so that the next append starts clean."""
-        if not self.journal.exists():
-            return
-        whole = 0
-        for line in self.journal.read_bytes().splitlines(keepends=True):
-            if not line.endswith(b"\n"):
-                break
-            try:
-                row = _row_of(json.loads(line))
-            except (ValueError, KeyError, TypeError):
-                break
-            self.rows[row.key] = row
-            whole += len(line)
-        with self.journal.open("r+b") as file:
-            file.truncate(whole)
 
 
 def read_rows(out: Path) -> list[Row]:

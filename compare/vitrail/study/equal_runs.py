@@ -8,7 +8,7 @@ one in at most a share p of the pairs.
 from __future__ import annotations
 
 import tempfile
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Literal
@@ -17,6 +17,7 @@ from scipy import stats
 
 from vitrail.base.canonical_json import canonical_json
 from vitrail.base.engine_name import EngineName
+from vitrail.base.progress import Progress, silent
 from vitrail.base.record import Record, write_record
 from vitrail.engines.base import Engine
 from vitrail.geometry.world import World
@@ -25,11 +26,10 @@ from vitrail.judge.comparison import Pair
 from vitrail.judge.false_alarms import sidak
 from vitrail.judge.observe import observe
 from vitrail.judge.references import SceneTruth
+from vitrail.pipeline.campaign import Campaign, Work, run_campaign
 from vitrail.pipeline.job import Job, prepare
-from vitrail.pipeline.queue import Progress, Work, run_tasks
 from vitrail.pipeline.run import run
 from vitrail.pipeline.task import Task
-from vitrail.pipeline.task_log import TaskLog
 from vitrail.plan.settings import Quality
 from vitrail.scene.load import Loaded
 
@@ -85,7 +85,7 @@ def equal_runs(
     *,
     pairs: int = 200,
     overrides: Mapping[str, object],
-    report: Callable[[Progress], None] = lambda progress: None,
+    progress: Progress = silent,
 ) -> EqualRuns:
     """Render and compare ``pairs`` pairs, remembering those that are done; write and return equal_runs.json."""
     # The files of a scene have other paths on another machine: the key of a task names them as the scene does.
@@ -98,7 +98,7 @@ def equal_runs(
     work: dict[str, Work] = {
         "pair": lambda spec: (_pair(loaded, engine, overrides, (spec["first"], spec["second"])).model_dump(), {})
     }
-    rows = run_tasks(tasks, TaskLog(out), work, report=report)
+    rows = run_campaign(Campaign(tasks, work), out, progress=progress)
     suites = [PairNumbers.model_validate(row.result).numbers for row in rows if row.result is not None]
     found = EqualRuns(
         scene=loaded.path.stem,

@@ -11,7 +11,8 @@ import pytest
 
 from tests.pipeline.doubles import FormulaEngine
 from tests.pipeline.passes.small_job import glowing_ball, job, passes
-from vitrail.engines.base import Progress, Rendering, silent
+from vitrail.base.progress import Progress, silent
+from vitrail.engines.base import Rendering
 from vitrail.images.exr import read_image
 from vitrail.judge.half_error import HalfError, Scatter
 from vitrail.pipeline.passes.checkpoint import checkpoint_path, read_checkpoint

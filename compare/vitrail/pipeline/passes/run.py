@@ -13,7 +13,8 @@ from pathlib import Path
 from typing import Any
 
 from vitrail.base.canonical_json import canonical_json
-from vitrail.engines.base import Engine, Progress, Rendering, silent
+from vitrail.base.progress import Progress, silent
+from vitrail.engines.base import Engine, Rendering
 from vitrail.engines.engine_build import build_of
 from vitrail.images.exr import ImageLayers, read_image, write_image
 from vitrail.judge.half_error import HalfError, Observer

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 
+from vitrail.base.progress import Progress, silent
 from vitrail.base.record import JsonObject, write_record
 from vitrail.base.whole_file import write_whole
 from vitrail.engines.engine_build import engine_build
-from vitrail.pipeline.queue import Progress, run_tasks
+from vitrail.pipeline.campaign import Campaign, run_campaign
 from vitrail.pipeline.task import Row, Task
-from vitrail.pipeline.task_log import TaskLog
 from vitrail.study.extremes.axis import ENGINES, AtlasEngine, Axis
 from vitrail.study.extremes.ball_axes import BALL_AXES
 from vitrail.study.extremes.incidence_axes import INCIDENCE_AXES
@@ -35,12 +35,10 @@ def atlas_tasks(axes: Sequence[Axis] = AXES) -> list[Task]:
     ]
 
 
-def run_atlas(
-    out: Path, *, jobs: int = 1, axes: Sequence[Axis] = AXES, report: Callable[[Progress], None] = lambda p: None
-) -> Atlas:
+def run_atlas(out: Path, *, jobs: int = 1, axes: Sequence[Axis] = AXES, progress: Progress = silent) -> Atlas:
     """Measure what is missing in ``out`` and write atlas.json and scenes/; returns the atlas."""
     tasks = atlas_tasks(axes)
-    rows = run_tasks(tasks, TaskLog(out), {"range": measure_range}, jobs=jobs, report=report)
+    rows = run_campaign(Campaign(tasks, {"range": measure_range}), out, jobs=jobs, progress=progress)
     atlas = Atlas(axes=tuple(_atlas_axis(axis, rows) for axis in axes))
     write_scenes(out / "scenes", atlas)
     write_record(atlas, out / "atlas.json")

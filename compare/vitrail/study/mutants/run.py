@@ -7,19 +7,19 @@ what a second run would give.
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from pathlib import Path
 
+from vitrail.base.progress import Progress, silent
 from vitrail.base.record import JsonObject, write_record
 from vitrail.judge.comparison import Pair, Verdict
 from vitrail.judge.diagnosis import Diagnosis, diagnose
 from vitrail.judge.records import Results, Status
-from vitrail.pipeline.queue import Progress, Work, run_tasks
+from vitrail.pipeline.campaign import Campaign, Work, run_campaign
 from vitrail.pipeline.request import Defect
 from vitrail.pipeline.scene_run import SceneRun, run_scene
 from vitrail.pipeline.task import Row, Task
-from vitrail.pipeline.task_log import TaskLog
 from vitrail.study.mutants.ablated import clean_ablations, whereabouts_of
 from vitrail.study.mutants.bench import Bench, alone, clean_bench, content, unwatched
 from vitrail.study.mutants.catalogue import MUTANTS
@@ -33,7 +33,7 @@ def run_mutants(
     *,
     mutants: Sequence[Mutant] = MUTANTS,
     jobs: int = 1,
-    report: Callable[[Progress], None] = lambda progress: None,
+    progress: Progress = silent,
 ) -> Mutants:
     """Measure what is missing in ``out`` and write mutants.json; returns its content. ``scenes``: the scene folders."""
     start = time.thread_time()
@@ -42,7 +42,7 @@ def run_mutants(
     known = {mutant.name: mutant for mutant in mutants}
     tasks = [Task("mutant", {"name": name, "what": known[name].what, "bench": _content(bench)}) for name in known]
     work: dict[str, Work] = {"mutant": lambda spec: _measured(known[spec["name"]], bench, out / spec["name"])}
-    rows = run_tasks(tasks, TaskLog(out), work, jobs=jobs, report=report)
+    rows = run_campaign(Campaign(tasks, work), out, jobs=jobs, progress=progress)
     clean = CleanBench(
         **dict(_reported(diagnose(bench.judged(bench.clean).scenes))),
         scenes=tuple(bench.scenes),

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 import tempfile
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -17,15 +17,16 @@ import numpy as np
 from scipy import stats
 
 from vitrail.base.phenomenon import Phenomenon
+from vitrail.base.progress import Progress, silent
 from vitrail.base.record import JsonObject, write_record
 from vitrail.engines.engine_build import engine_build
 from vitrail.engines.tracer import Tracer
 from vitrail.images.exr import ImageLayers, read_image
+from vitrail.pipeline.campaign import Campaign, Work, run_campaign
 from vitrail.pipeline.job import Job, prepare
-from vitrail.pipeline.queue import Progress, Work, run_tasks
 from vitrail.pipeline.run import run
 from vitrail.pipeline.task import TIMEOUT_S, Row, Task
-from vitrail.pipeline.task_log import TaskLog, read_rows
+from vitrail.pipeline.task_log import read_rows
 from vitrail.plan.analyse import everything
 from vitrail.plan.settings import Quality
 from vitrail.scene.load import Loaded
@@ -63,13 +64,13 @@ def run_plan_study(
     out: Path,
     *,
     jobs: int = 1,
-    report: Callable[[Progress], None] = lambda progress: None,
+    progress: Progress = silent,
 ) -> Plans:
     """Measure what is missing in ``out``, write plans.json; returns its content."""
     tasks = [_task(loaded) for loaded in scenes]
     by_hash = {scene_hash(loaded.scene): loaded for loaded in scenes}
     work: dict[str, Work] = {"variants": lambda spec: _measured(by_hash[spec["scene"]], spec)}
-    rows = run_tasks(tasks, TaskLog(out), work, jobs=jobs, report=report)
+    rows = run_campaign(Campaign(tasks, work), out, jobs=jobs, progress=progress)
     return _write(out, analyse_plans(rows))
 
 

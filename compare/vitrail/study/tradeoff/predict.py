@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from vitrail.base.phenomenon import Phenomenon
+from vitrail.base.progress import Progress, silent
 from vitrail.base.record import write_record
 from vitrail.engines.engine_build import engine_build
-from vitrail.pipeline.queue import Progress, run_tasks
+from vitrail.pipeline.campaign import Campaign, run_campaign
 from vitrail.pipeline.task import Row, Task
-from vitrail.pipeline.task_log import TaskLog
 from vitrail.plan.settings import setting_names
 from vitrail.scene.load import Loaded
 from vitrail.scene.print import scene_hash
@@ -42,7 +42,7 @@ def predict(
     found: Tradeoff,
     measure: Measure,
     aims: Sequence[Aim],
-    report: Callable[[Progress], None] = lambda progress: None,
+    progress: Progress = silent,
 ) -> Predictions:
     """Choose settings in both engines for every aim, run them, and write predictions.json into ``out``."""
     chosen = [(aim, engine, _choose(found, aim, engine)) for aim in aims for engine in ENGINES]
@@ -52,7 +52,8 @@ def predict(
         if prediction is not None
     }
     everything = [task for group in tasks.values() for task in group]
-    rows = run_tasks(everything, TaskLog(out / "predictions"), {"setting": measure.setting}, report=report)
+    campaign = Campaign(everything, {"setting": measure.setting})
+    rows = run_campaign(campaign, out / "predictions", progress=progress)
     by_key = {row.key: row for row in rows}
     scored = Predictions(
         tuple(

@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable
 from pathlib import Path
 
+from vitrail.base.progress import Progress, silent
 from vitrail.base.record import write_record
 from vitrail.engines.engine_build import engine_build
 from vitrail.judge.references import read_scene_truth, references_folder
+from vitrail.pipeline.campaign import Campaign, run_campaign
 from vitrail.pipeline.job import prepare
-from vitrail.pipeline.queue import Progress, run_tasks
 from vitrail.pipeline.task import Task
-from vitrail.pipeline.task_log import TaskLog, read_rows
+from vitrail.pipeline.task_log import read_rows
 from vitrail.plan.budget import USUAL_PHOTONS
 from vitrail.plan.settings import Quality
 from vitrail.scene.load import Loaded
@@ -35,7 +35,7 @@ def run_tradeoff(
     extent: Extent = "normal",
     jobs: int = 1,
     references: Path | None = None,
-    report: Callable[[Progress], None] = lambda progress: None,
+    progress: Progress = silent,
 ) -> Tradeoff:
     """Measure what is missing in ``out``, analyse, write tradeoff.json; returns its content. Raises NothingObserved."""
     tasks = tradeoff_tasks(loaded, extent)
@@ -45,7 +45,7 @@ def run_tradeoff(
         same_size = [task for task in tasks if "image_scale" not in task.spec["wishes"]]
         tasks = [converged.task, *(_against(task, converged.task.key) for task in same_size)]
     work = {"setting": measure.setting, "reference": measure.reference}
-    run_tasks(tasks, TaskLog(out), work, jobs=jobs, report=report)
+    run_campaign(Campaign(tasks, work), out, jobs=jobs, progress=progress)
     return analyse_folder(loaded, out)
 
 

@@ -12,16 +12,15 @@ from pathlib import Path
 
 import pytest
 
-from vitrail.pipeline.queue import Progress, run_tasks
+from vitrail.pipeline.campaign import Campaign, run_campaign
 from vitrail.pipeline.task import Task
 from vitrail.pipeline.task_log import TaskLog, read_rows
 
 STUDY = """
 import sys, time
 from pathlib import Path
-from vitrail.pipeline.queue import run_tasks
+from vitrail.pipeline.campaign import Campaign, run_campaign
 from vitrail.pipeline.task import Task
-from vitrail.pipeline.task_log import TaskLog
 
 def square(spec):
     time.sleep(0.03)
@@ -30,7 +29,7 @@ def square(spec):
     return {"square": spec["x"] ** 2}, {"cpu_s": time.process_time()}
 
 tasks = [Task("square", {"x": x}) for x in range(40)]
-run_tasks(tasks, TaskLog(Path(sys.argv[1])), {"square": square}, jobs=2)
+run_campaign(Campaign(tasks, {"square": square}), Path(sys.argv[1]), jobs=2)
 """
 
 
@@ -61,8 +60,8 @@ def test_a_failing_task_is_a_row_with_its_words(tmp_path: Path) -> None:
 @pytest.mark.parametrize("torn", [b"", b'{"result": "{', b'{"result": 1}\n', b"\xff\xfe garbage"])
 def test_a_torn_last_line_is_dropped(tmp_path: Path, torn: bytes) -> None:
     tasks = [Task("double", {"x": x}) for x in range(3)]
+    run_campaign(Campaign(tasks, {"double": lambda spec: ({"y": 2 * spec["x"]}, {})}), tmp_path)
     log = TaskLog(tmp_path)
-    run_tasks(tasks, log, {"double": lambda spec: ({"y": 2 * spec["x"]}, {})})
     whole = log.journal.read_bytes()
     log.journal.write_bytes(whole + torn)
     again = TaskLog(tmp_path)
@@ -72,15 +71,15 @@ def test_a_torn_last_line_is_dropped(tmp_path: Path, torn: bytes) -> None:
 
 def test_progress_counts_and_finished_tasks_are_not_run_again(tmp_path: Path) -> None:
     calls: list[int] = []
-    seen: list[Progress] = []
+    seen: list[tuple[str, float, float]] = []
 
     def work(spec):
         calls.append(spec["x"])
         return {"y": spec["x"]}, {"cpu_s": 1.0}
 
     tasks = [Task("work", {"x": x}) for x in (1, 2, 2, 3)]
-    run_tasks(tasks[:2], TaskLog(tmp_path), {"work": work})
-    rows = run_tasks(tasks, TaskLog(tmp_path), {"work": work}, report=seen.append)
+    run_campaign(Campaign(tasks[:2], {"work": work}), tmp_path)
+    rows = run_campaign(Campaign(tasks, {"work": work}), tmp_path, progress=lambda *step: seen.append(step))
     assert calls == [1, 2, 3]
     assert [row.result for row in rows] == [{"y": 1}, {"y": 2}, {"y": 3}]
-    assert (seen[-1].done, seen[-1].total) == (3, 3)
+    assert seen == [("tasks", 3, 3)]
