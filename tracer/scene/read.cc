@@ -115,8 +115,10 @@ Settings read_settings(const JsonValue& value) {
   settings.final_gather_rays = static_cast<int>(value.at("final_gather_rays").integer(0, 1000000));
   const JsonValue memory = value.at("memory_limit_mb");
   settings.memory_limit_mb = memory.is_null() ? 0 : memory.number(Range::not_negative());
-  constexpr Solver kSolvers[] = {Solver::automatic, Solver::photon_map, Solver::light_bins, Solver::beams};
-  settings.solver = kSolvers[value.at("solver").word({"auto", "photon_map", "light_bins", "beams"})];
+  settings.solver = value.at("solver").choice<Solver>({{"auto", Solver::automatic},
+                                                       {"photon_map", Solver::photon_map},
+                                                       {"light_bins", Solver::light_bins},
+                                                       {"beams", Solver::beams}});
   return settings;
 }
 
