@@ -47,7 +47,7 @@ def test_killed_ten_times_gives_the_same_files(tmp_path: Path) -> None:
         os.kill(process.pid, signal.SIGKILL)
         process.wait()
     assert _start(often).wait() == 0
-    assert (once / "samples.jsonl").read_bytes() == (often / "samples.jsonl").read_bytes()
+    assert (once / "samples.jsonl.gz").read_bytes() == (often / "samples.jsonl.gz").read_bytes()
     assert [row.key for row in read_rows(once)] == [row.key for row in read_rows(often)]
 
 

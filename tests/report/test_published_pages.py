@@ -18,7 +18,7 @@ from vitrail.study.agreement import Agreement
 def test_the_page_of_agreement(tmp_path: Path) -> None:
     committed = (ROOT / "docs" / "agreement.md").read_text()
     (tmp_path / "agreement.md").write_text(committed)
-    write_agreement_page(tmp_path / "agreement.md", read_record(Agreement, ROOT / "docs" / "agreement.json"))
+    write_agreement_page(tmp_path / "agreement.md", read_record(Agreement, ROOT / "docs" / "agreement.json.gz"))
     assert (tmp_path / "agreement.md").read_text() == committed
 
 

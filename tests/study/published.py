@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+from vitrail.base.packed import kind_of
 from vitrail.base.record import read_record
 from vitrail.study.schemas import RECORDS
 
@@ -14,8 +15,8 @@ TRADEOFFS = ("ball_lens", "prism_screen", "tinted_pane_seen", "slab_clear")
 
 
 def published(name: str) -> Any:
-    """The record of one file below docs/studies, such as ``atlas/atlas.json``; its stem says what it is."""
-    return read_record(RECORDS[Path(name).stem], STUDIES / name)
+    """The record of one file below docs/studies, such as ``atlas/atlas.json``; its name says what it is."""
+    return read_record(RECORDS[kind_of(Path(name))], STUDIES / name)
 
 
 def words(path: Path) -> str:

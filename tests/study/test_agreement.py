@@ -86,7 +86,7 @@ def test_only_the_tables_of_a_page_are_written(results: Results, tmp_path: Path)
 
 @pytest.fixture(scope="module")
 def published() -> Agreement:
-    return read_record(Agreement, ROOT / "docs" / "agreement.json")
+    return read_record(Agreement, ROOT / "docs" / "agreement.json.gz")
 
 
 def test_the_page_says_what_its_file_says(published: Agreement) -> None:

@@ -9,7 +9,7 @@ from typing import Any, TypeVar
 
 from pydantic import BaseModel, ConfigDict, JsonValue
 
-from vitrail.base.whole_file import write_whole
+from vitrail.base.packed import read_packed, write_packed
 
 
 class Record(BaseModel):
@@ -38,13 +38,13 @@ def record_text(record: BaseModel, *, indent: int = 1) -> str:
 
 
 def write_record(record: BaseModel, path: Path, *, indent: int = 1) -> None:
-    """Write a record to a file that appears whole."""
-    write_whole(path, record_text(record, indent=indent))
+    """Write a record to a file that appears whole; ``.gz`` compresses it."""
+    write_packed(path, record_text(record, indent=indent))
 
 
 def read_record(kind: type[R], path: Path) -> R:
     """Read a record; raises FileNotFoundError, and pydantic's ValidationError for what is no such record."""
-    return kind.model_validate_json(path.read_bytes())
+    return kind.model_validate_json(read_packed(path))
 
 
 def record_schema(kind: type[BaseModel], title: str) -> dict[str, JsonValue]:

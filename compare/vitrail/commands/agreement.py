@@ -11,7 +11,7 @@ from vitrail.commands.exit_code import exit_codes, usage_error
 
 def agreement(
     folders: list[Path] = typer.Argument(..., metavar="DIR...", help="Folders with results.json, the last one counts."),
-    out: Path = typer.Option(Path("docs/agreement.json"), "--out", help="The file of all rows."),
+    out: Path = typer.Option(Path("docs/agreement.json.gz"), "--out", help="The file of all rows."),
     page: Path = typer.Option(Path("docs/agreement.md"), "--page", help="The page whose tables are written again."),
 ) -> None:
     """Read, sort, count, write; nothing is rendered or measured again."""

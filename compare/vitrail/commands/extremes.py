@@ -18,6 +18,9 @@ def extremes(
     out: Path = typer.Option(..., "--out", metavar="DIR", help="Folder of the study; call again to resume."),
     axis: list[str] = typer.Option([], "--axis", help="Only this axis; may be given several times."),
     jobs: int = typer.Option(1, "--jobs", min=1, help="Tasks at a time."),
+    scenes_only: bool = typer.Option(
+        False, "--scenes-only", help="Measure nothing: write the failing scenes of the finished atlas in --out again."
+    ),
     as_json: bool = typer.Option(False, "--json", help="Print the atlas as JSON."),
 ) -> None:
     with exit_codes():
@@ -25,6 +28,9 @@ def extremes(
         from vitrail.report.atlas_page import write_atlas_page, write_atlas_text
         from vitrail.study.extremes.atlas import AXES, run_atlas
 
+        if scenes_only:
+            typer.echo(f"the scenes are in {_scenes_of(out)}")
+            return
         names = [known.name for known in AXES]
         unknown = [name for name in axis if name not in names]
         if unknown:
@@ -42,6 +48,19 @@ def extremes(
         for engine, found in record.engines.items():
             typer.echo(f"  {engine:8} {_words(found)}")
     typer.echo(f"the atlas is {page}")
+
+
+def _scenes_of(out: Path) -> Path:
+    """Write the scenes that fail by the atlas in ``out``; returns their folder."""
+    from vitrail.base.record import read_record
+    from vitrail.study.extremes.atlas import write_scenes
+    from vitrail.study.extremes.records import Atlas
+
+    try:
+        write_scenes(out / "scenes", read_record(Atlas, out / "atlas.json"))
+    except FileNotFoundError as missing:
+        raise usage_error(f"{missing.filename}: no such file; run the study first, without --scenes-only") from None
+    return out / "scenes"
 
 
 def _words(found: EngineRange) -> str:

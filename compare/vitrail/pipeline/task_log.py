@@ -1,8 +1,8 @@
 """The memory of a study: finished tasks survive SIGKILL, and the finished files do not tell how often it was killed.
 
 While a study runs, each finished task is one line appended and flushed to ``journal.jsonl``; a line torn by a kill is
-dropped at the next start, so at most the running task is lost. When every task has a row, ``samples.jsonl`` (results,
-in the order of the plan) and ``costs.jsonl`` are written whole and renamed into place.
+dropped at the next start, so at most the running task is lost. When every task has a row, ``samples.jsonl.gz``
+(results, in the order of the plan) and ``costs.jsonl`` are written whole and renamed into place.
 """
 
 from __future__ import annotations
@@ -12,8 +12,10 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from vitrail.base.journal import append_line, whole_lines
-from vitrail.base.whole_file import write_whole
+from vitrail.base.packed import read_packed, write_packed
 from vitrail.pipeline.task import Row, Task
+
+SAMPLES, COSTS = "samples.jsonl.gz", "costs.jsonl"
 
 
 class TaskLog:
@@ -43,22 +45,22 @@ class TaskLog:
     def finish(self, tasks: Sequence[Task]) -> list[Row]:
         """Write the study's files in the order of its plan, and return the rows in that order."""
         ordered = [self.rows[key] for key in dict.fromkeys(task.key for task in tasks)]
-        write_whole(self.out / "samples.jsonl", "".join(row.result_line() + "\n" for row in ordered))
-        write_whole(self.out / "costs.jsonl", "".join(row.cost_line() + "\n" for row in ordered))
+        write_packed(self.out / SAMPLES, "".join(row.result_line() + "\n" for row in ordered))
+        write_packed(self.out / COSTS, "".join(row.cost_line() + "\n" for row in ordered))
         return ordered
 
 
 def read_rows(out: Path) -> list[Row]:
     """Rows of a finished study, for analysis without rendering; raises FileNotFoundError before it has finished."""
-    costs = {record["key"]: record["cost"] for record in _lines(out / "costs.jsonl")}
+    costs = {record["key"]: record["cost"] for record in _lines(out / COSTS)}
     return [
         Row(r["key"], r["kind"], r["spec"], r.get("result"), r.get("failure"), costs.get(r["key"], {}))
-        for r in _lines(out / "samples.jsonl")
+        for r in _lines(out / SAMPLES)
     ]
 
 
 def _lines(path: Path) -> list[dict]:
-    return [json.loads(line) for line in path.read_text().splitlines()]
+    return [json.loads(line) for line in read_packed(path).splitlines()]
 
 
 def _row_of(record: dict) -> Row:

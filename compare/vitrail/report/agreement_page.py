@@ -1,4 +1,4 @@
-"""The agreement of the engines as tables in Markdown; every number comes from ``agreement.json``."""
+"""The agreement of the engines as tables in Markdown; every number comes from ``agreement.json.gz``."""
 
 from __future__ import annotations
 

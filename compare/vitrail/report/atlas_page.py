@@ -12,6 +12,7 @@ from vitrail.report.charts import LogAxis
 from vitrail.report.environment import chart, text
 from vitrail.report.page import number
 from vitrail.report.study_page import write_study_page
+from vitrail.study.extremes.atlas import STACKS
 from vitrail.study.extremes.axis import ENGINES, AtlasEngine
 from vitrail.study.extremes.records import Atlas, AtlasAxis, AtlasReading, EngineRange
 
@@ -27,8 +28,11 @@ def write_atlas_page(out: Path, atlas: Atlas) -> Path:
 
 
 def atlas_text(atlas: Atlas) -> str:
-    """The page of docs/studies/atlas in Markdown, with the scenes of first failures linked below ``scenes/``."""
-    return text("atlas.md", atlas=atlas, limit_words=limit_words)
+    """The page of docs/studies/atlas in Markdown, with the scenes of first failures linked below ``scenes/``.
+
+    Stacks of panes have no link: their scenes are made when they are needed.
+    """
+    return text("atlas.md", atlas=atlas, limit_words=limit_words, stacks=STACKS)
 
 
 def write_atlas_text(out: Path, atlas: Atlas) -> None:

@@ -76,7 +76,7 @@ class AgreementSummary(Record):
 
 
 class Agreement(Record):
-    """``agreement.json``."""
+    """``agreement.json.gz``."""
 
     vitrail_agreement: Literal[1] = 1
     scenes: tuple[ScenePrice, ...]

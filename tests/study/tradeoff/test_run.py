@@ -30,7 +30,7 @@ def test_one_command_measures_analyses_and_resumes(program, tmp_path: Path) -> N
     arguments = [str(SCENES / "slab_tilted.yaml"), "--out", str(tmp_path), "--extent", "quick"]
     first = CliRunner().invoke(program, arguments)
     assert first.exit_code == 0, first.output
-    samples = (tmp_path / "samples.jsonl").read_bytes()
+    samples = (tmp_path / "samples.jsonl.gz").read_bytes()
     assert {row.spec["engine"] for row in read_rows(tmp_path)} == {"tracer", "povray"}
     assert not [row for row in read_rows(tmp_path) if row.failure]
     # Both engines reach 5 % at once: the slab is exact to the half floats of POV-Ray's image.
@@ -41,7 +41,7 @@ def test_one_command_measures_analyses_and_resumes(program, tmp_path: Path) -> N
     # Nothing is rendered again, and the analysis alone gives the same.
     again = CliRunner().invoke(program, [*arguments, "--analyse-only"])
     assert again.exit_code == 0, again.output
-    assert (tmp_path / "samples.jsonl").read_bytes() == samples
+    assert (tmp_path / "samples.jsonl.gz").read_bytes() == samples
 
 
 def test_without_a_closed_form_the_reference_states_its_own_error(program, tmp_path: Path) -> None:

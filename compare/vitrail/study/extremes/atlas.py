@@ -23,6 +23,8 @@ from vitrail.study.extremes.search import Range, Reading, binary, find_limit, ge
 from vitrail.study.extremes.size_axes import SIZE_AXES
 
 AXES: tuple[Axis, ...] = (*SIZE_AXES, *LIGHT_AXES, *BALL_AXES, *INDEX_AXES, *INCIDENCE_AXES)
+STACKS = ("depth", "photon_depth")
+"""Axes whose failing scenes are hundreds of panes: they are written when asked for, and not kept in the repository."""
 
 
 def atlas_tasks(axes: Sequence[Axis] = AXES) -> list[Task]:
