@@ -23,7 +23,9 @@ struct Rays {
     TestNumbers numbers;
     for (int i = 0; i < kRays; ++i) {
       const HitId departed = i % 4 == 0 ? HitId{kObject, true} : i % 4 == 1 ? HitId{kObject, false} : HitId{};
-      states.add(numbers.in_cube(2), numbers.direction(), {}, 0, departed, {});
+      // Draw one after the other: compilers evaluate arguments in different orders.
+      const Vec3 origin = numbers.in_cube(2), direction = numbers.direction();
+      states.add(origin, direction, {}, 0, departed, {});
     }
     chunk->count = kRays;
     for (int a = 0; a < 3; ++a) {
@@ -122,12 +124,12 @@ const PlaneShape kPlane{{0.1, -0.3, 0.2}, normalise(Vec3{0.3, 1, -0.2})};
 constexpr RectangleShape kRectangle{{0, 0.2, 0.1}, {1.5, 0.2, 0}, {-0.2, 1.5, 0.4}};
 const DiscShape kDisc{{0.2, 0.1, 0}, normalise(Vec3{1, 1, 0.5}), 2.2};
 
-TEST(IntersectLanes, MeetASphere) { expect_the_bits_of_a_plain_loop(8876113157881920572u, kSphere); }
-TEST(IntersectLanes, MeetAPlane) { expect_the_bits_of_a_plain_loop(3852318956108236349u, kPlane); }
-TEST(IntersectLanes, MeetARectangle) { expect_the_bits_of_a_plain_loop(3249787044066759665u, kRectangle); }
-TEST(IntersectLanes, MeetADisc) { expect_the_bits_of_a_plain_loop(4201615030139925803u, kDisc); }
+TEST(IntersectLanes, MeetASphere) { expect_the_bits_of_a_plain_loop(3687101234145543503u, kSphere); }
+TEST(IntersectLanes, MeetAPlane) { expect_the_bits_of_a_plain_loop(15326592978473203811u, kPlane); }
+TEST(IntersectLanes, MeetARectangle) { expect_the_bits_of_a_plain_loop(11282516960986636979u, kRectangle); }
+TEST(IntersectLanes, MeetADisc) { expect_the_bits_of_a_plain_loop(4930771340403535315u, kDisc); }
 TEST(IntersectLanes, KeepTheNearestOfSeveral) {
-  expect_the_bits_of_a_plain_loop(14186581934403071926u, kDisc, kSphere, kPlane, kRectangle, kSphere);
+  expect_the_bits_of_a_plain_loop(14593695732032262104u, kDisc, kSphere, kPlane, kRectangle, kSphere);
 }
 
 // The gap behind the nearest hit that counts as a tie grows with the coordinates: 2^-30 of them.
@@ -151,7 +153,8 @@ TEST(IntersectLanes, ProjectPointsOntoASphere) {
     const auto lanes = std::make_unique<SurfaceLanes>();
     std::vector<Vec3> points;
     for (std::size_t i = 0; i < kRays; ++i) {
-      points.push_back(kSphere.center + numbers.direction() * (kSphere.radius * numbers.between(0.99, 1.01)));
+      const double distance = kSphere.radius * numbers.between(0.99, 1.01);
+      points.push_back(kSphere.center + numbers.direction() * distance);
       for (int a = 0; a < 3; ++a) lanes->point[a][i] = points[i][a];
     }
     project(kSphere, kRays, *lanes);

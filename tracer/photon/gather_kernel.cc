@@ -49,6 +49,9 @@ HWY_INLINE Mask is_inside(const PhotonColumns& columns, const GatherDisc& disc, 
 struct Sums {
   Floats red[kRegisters], green[kRegisters], blue[kRegisters];
 
+  HWY_INLINE Sums() {
+    for (int r = 0; r < kRegisters; ++r) red[r] = green[r] = blue[r] = hn::Zero(kFloats);
+  }
   HWY_INLINE void add(Mask inside, const PhotonColumns& columns, std::uint32_t i, int r) {
     red[r] = red[r] + hn::IfThenElseZero(inside, hn::LoadU(kFloats, columns.flux[0] + i));
     green[r] = green[r] + hn::IfThenElseZero(inside, hn::LoadU(kFloats, columns.flux[1] + i));
@@ -75,7 +78,6 @@ HWY_INLINE float sum_of(Floats (&registers)[kRegisters]) {
 
 Rgb flux_in_disc_lanes(const PhotonColumns& columns, const PhotonRun* runs, int run_count, const GatherDisc& disc) {
   Sums sums;
-  for (int r = 0; r < kRegisters; ++r) sums.red[r] = sums.green[r] = sums.blue[r] = hn::Zero(kFloats);
   for (int run = 0; run < run_count; ++run) {
     // Take 16 photons at a time, and then the rest of the run without the photons of the next one.
     std::uint32_t i = runs[run].begin;
