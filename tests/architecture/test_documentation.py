@@ -3,37 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
-from types import UnionType
-from typing import Any, Union, get_args, get_origin
 
 import typer.main
-from pydantic import BaseModel
 
 from tests.architecture.source_tree import ROOT, project_files
 from vitrail.check.check import check_text
 from vitrail.commands.app import app
+from vitrail.scene.field_types import part_types
 from vitrail.scene.model import Scene
-
-
-def models_in(annotation: Any) -> Iterator[type[BaseModel]]:
-    """The model types inside an annotation, through unions, tuples and dictionaries."""
-    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
-        yield annotation
-    elif get_origin(annotation) in (Union, UnionType) or get_args(annotation):
-        for inner in get_args(annotation):
-            yield from models_in(inner)
-
-
-def scene_keys(model: type[BaseModel], seen: set[type[BaseModel]]) -> Iterator[tuple[str, str]]:
-    """Model name and key, for every key that a scene file may have."""
-    if model in seen:
-        return
-    seen.add(model)
-    for name, field in model.model_fields.items():
-        yield model.__name__, field.alias or name
-        for inner in models_in(field.annotation):
-            yield from scene_keys(inner, seen)
 
 
 def backquoted(text: str) -> set[str]:
@@ -44,7 +21,8 @@ def backquoted(text: str) -> set[str]:
 
 def test_every_scene_key_is_documented() -> None:
     documented = backquoted((ROOT / "scenes" / "README.md").read_text(encoding="utf-8"))
-    missing = [f"{model}.{key}" for model, key in scene_keys(Scene, set()) if key not in documented]
+    keys = [(part.__name__, key) for part in part_types(Scene) for key in part.file_keys()]
+    missing = sorted(f"{part}.{key}" for part, key in keys if key not in documented)
     assert not missing, f"scenes/README.md says nothing about {missing}"
 
 

@@ -16,11 +16,6 @@ LONGEST_FILE = 280
 LONGEST_FUNCTION = 60
 """Lines. Functions aim at 40; the rest is room for one long signature or one exhaustive match."""
 
-LONG_FILES = {
-    Path("compare/vitrail/scene/model.py"): 640,
-}
-"""Files that are long for a reason: the whole scene language reads best in one piece."""
-
 MACHINE_PATH = re.compile(r"(?<![\w.])/(?:root|home/\w+|work|tmp/\w+)(?:/[\w.-]+)+")
 """An absolute path of one machine; a scene, a test or a page that names one works nowhere else."""
 
@@ -38,16 +33,9 @@ def test_files_are_short_enough_to_read() -> None:
     long = []
     for path in sources(".py", ".h", ".cc", ".cpp", ".sh"):
         lines = len((ROOT / path).read_text(encoding="utf-8").splitlines())
-        if lines > LONG_FILES.get(path, LONGEST_FILE):
+        if lines > LONGEST_FILE:
             long.append(f"{path}: {lines} lines")
     assert not long, "split by thing explained:\n" + "\n".join(long)
-
-
-def test_the_list_of_long_files_is_true() -> None:
-    for path in LONG_FILES:
-        assert (ROOT / path).is_file(), f"{path} is gone; drop it from the list"
-        lines = len((ROOT / path).read_text(encoding="utf-8").splitlines())
-        assert lines > LONGEST_FILE, f"{path} is short now; drop it from the list"
 
 
 def test_python_functions_are_short_enough_to_read() -> None:

@@ -91,8 +91,8 @@ EMITTERS = {
     "point": st.builds(model.Point, position=vectors, intensity=colours),
     "spot": st.builds(model.Spot, position=vectors, direction=axes, intensity=colours, cone_deg=st.floats(1, 179)),
     "area": st.one_of(
-        st.builds(model.Area, rectangle=rectangles, radiance=colours),
-        st.builds(model.Area, disc=discs, collimated=st.just(True), irradiance=colours),
+        st.builds(model.Area, shape=rectangles, radiance=colours),
+        st.builds(model.Area, shape=discs, collimated=st.just(True), irradiance=colours),
     ),
     "environment": st.one_of(st.builds(model.Environment, radiance=colours), st.builds(model.Environment, file=names)),
 }
@@ -170,11 +170,11 @@ def scenes(draw: st.DrawFn) -> model.Scene:
             "translate": draw(vectors),
             "priority": draw(optional(st.integers(0, 1000))),
         }
-        objects.append(model.Object(name=name, material=draw(pick), **{key: draw(SHAPES[key])}, **rest))
+        objects.append(model.Object(name=name, material=draw(pick), shape=draw(SHAPES[key]), **rest))
     lights = []
     for name in draw(st.lists(names, unique=True, max_size=3)):
         key = draw(st.sampled_from(sorted(EMITTERS)))
-        lights.append(model.Light(name=name, **{key: draw(EMITTERS[key])}))
+        lights.append(model.Light(name=name, emitter=draw(EMITTERS[key])))
     observe = [
         model.Observation(
             name=name,

@@ -25,7 +25,7 @@ def check_lights(findings: Findings) -> None:
     for index, light in enumerate(scene.lights):
         if max(_strength(light)) == 0:
             what = f"the light `{light.name}` is dark"
-            findings.warning(what, "raise its value or remove it", "lights", index, light.kind)
+            findings.warning(what, "raise its value or remove it", "lights", index, light.emitter.key)
         if isinstance(light.emitter, Environment) and light.emitter.file is not None:
             check_sky(findings, index, light.emitter.file)
         _check_place(findings, index, light)
@@ -75,7 +75,7 @@ def _check_place(findings: Findings, index: int, light: Light) -> None:
     place, scene = place_of(light), findings.scene
     if place is None:
         return
-    path = ("lights", index, light.kind, _place_key(light))
+    path = ("lights", index, light.emitter.key, _place_key(light))
     for item in scene.objects:
         distance = distance_to_surface(item, place)
         if distance is not None and distance <= TOUCH * max(1e-300, length(place)):
@@ -91,5 +91,5 @@ def _check_place(findings: Findings, index: int, light: Light) -> None:
 def _place_key(light: Light) -> str:
     """The key that says where a lamp is."""
     if isinstance(light.emitter, Area):
-        return "rectangle" if light.emitter.rectangle else "disc"
+        return light.emitter.shape.key
     return "position"

@@ -48,7 +48,7 @@ def _check_pattern(findings: Findings, index: int, item: Object) -> None:
     material = findings.scene.material_of(item)
     patterned = isinstance(material.diffuse, Checker) or isinstance(material.emission, Checker)
     if patterned and not isinstance(item.shape, Plane | Rectangle | Disc):
-        what = f"`{item.name}` is a {item.shape_key}, and a checker lies on flat shapes only"
+        what = f"`{item.name}` is a {item.shape.key}, and a checker lies on flat shapes only"
         remedy = "use plane, rectangle or disc, or give the material one colour"
         findings.error(what, remedy, "objects", index, "material")
 

@@ -18,7 +18,7 @@ BRIGHTEST = 1e30
 
 _DIRECTIONS = {"normal", "direction", "up"}
 _LENGTHS = {"radius", "radius_from", "radius_to", "size", "thickness", "diameter", "side", "distance", "height"}
-_POSITIONS = {"center", "point", "min", "max", "from_", "to", "position", "look_at", "u", "v", "translate", "profile"}
+_POSITIONS = {"center", "point", "min", "max", "from", "to", "position", "look_at", "u", "v", "translate", "profile"}
 _LIGHT = {"irradiance", "intensity", "radiance", "emission"}
 
 
@@ -29,11 +29,11 @@ def check_sizes(findings: Findings) -> None:
         key = next((str(step) for step in reversed(path) if isinstance(step, str)), "")
         if key in _LIGHT and number > BRIGHTEST:
             remedy = f"keep light below {BRIGHTEST:g}; images are single precision"
-            findings.error(f"`{key}` is {number:g}, too bright for an image", remedy, *_written(path))
+            findings.error(f"`{key}` is {number:g}, too bright for an image", remedy, *path)
         if key in (_LENGTHS | _POSITIONS) - _DIRECTIONS:
             if abs(number) > LARGEST_M:
                 remedy = f"keep every length and position below {LARGEST_M:g} m; choose the sun as `directional` light"
-                findings.error(f"`{_plain(key)}` is {number:g} m, absurdly large", remedy, *_written(path))
+                findings.error(f"`{key}` is {number:g} m, absurdly large", remedy, *path)
             elif key in _LENGTHS and number > 0 and path[0] == "objects":
                 sizes.append((number, path))
     if not sizes:
@@ -41,14 +41,14 @@ def check_sizes(findings: Findings) -> None:
     smallest, largest = min(sizes), max(sizes)
     if largest[0] > WIDEST_RATIO * smallest[0]:
         what = f"the scene spans sizes from {smallest[0]:g} m to {largest[0]:g} m"
-        findings.warning(what, "bring the sizes closer together, or expect rounding to show", *_written(smallest[1]))
+        findings.warning(what, "bring the sizes closer together, or expect rounding to show", *smallest[1])
 
 
 def _numbers(value: object, path: tuple[str | int, ...]) -> Iterator[tuple[tuple[str | int, ...], float]]:
     """Every number of a scene with its path."""
     if isinstance(value, Part):
-        for name in type(value).model_fields:
-            yield from _numbers(getattr(value, name), (*path, name))
+        for key, inner in value.entries():
+            yield from _numbers(inner, (*path, key))
     elif isinstance(value, dict):
         for key, inner in value.items():
             yield from _numbers(inner, (*path, key))
@@ -57,12 +57,3 @@ def _numbers(value: object, path: tuple[str | int, ...]) -> Iterator[tuple[tuple
             yield from _numbers(inner, (*path, index))
     elif isinstance(value, (int, float)) and not isinstance(value, bool):
         yield path, float(value)
-
-
-def _written(path: tuple[str | int, ...]) -> tuple[str | int, ...]:
-    """The path by the keys of the file."""
-    return tuple(_plain(step) if isinstance(step, str) else step for step in path)
-
-
-def _plain(key: str) -> str:
-    return key.rstrip("_")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 
+from vitrail.base.changed import changed
 from vitrail.check.findings import Findings
 from vitrail.geometry.inside import is_solid
 from vitrail.geometry.overlap import overlap
@@ -22,9 +23,9 @@ def check_solids(findings: Findings) -> None:
         if is_solid(item):
             glasses.append((index, item))
         else:
-            what = f"`{item.name}` transmits, but a {item.shape_key} encloses nothing for light to travel in"
+            what = f"`{item.name}` transmits, but a {item.shape.key} encloses nothing for light to travel in"
             remedy = "use a solid, for example a thin `box`"
-            findings.error(what, remedy, "objects", index, item.shape_key)
+            findings.error(what, remedy, "objects", index, item.shape.key)
     for first, second in itertools.combinations(glasses, 2):
         _check_priority(findings, first, second)
     for index, item in enumerate(scene.objects):
@@ -68,5 +69,5 @@ def _is_below(plane: Object, glass: Object) -> bool:
     shape = plane.shape
     assert isinstance(shape, Plane)
     normal = (-shape.normal[0], -shape.normal[1], -shape.normal[2])
-    flipped = plane.model_copy(update={"plane": shape.model_copy(update={"normal": normal})})
+    flipped = changed(plane, shape=changed(shape, normal=normal))
     return not overlap(flipped, glass)

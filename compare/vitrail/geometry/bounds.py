@@ -130,9 +130,7 @@ def bounds_of_light(light: Light) -> Bounds:
         case Point() | Spot():
             return Bounds(emitter.position, emitter.position)
         case Area():
-            shape = emitter.rectangle or emitter.disc
-            assert shape is not None
-            return bounds_of_shape(shape, Frame())
+            return bounds_of_shape(emitter.shape, Frame())
         case _:
             assert_never(emitter)
 

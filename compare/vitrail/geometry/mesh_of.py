@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import lru_cache
 from pathlib import Path
 
+from vitrail.base.changed import changed
 from vitrail.geometry.mesh_file import MeshFileError, read_triangles
 from vitrail.geometry.mesh_solid import MeshSolid
 from vitrail.geometry.placement import Frame, Placed
@@ -15,10 +16,9 @@ def with_full_paths(scene: Scene, folder: Path) -> Scene:
     """The scene with its meshes named by full paths, so that what asks for their shape can read them."""
 
     def full(item: Object) -> Object:
-        if item.mesh is None:
+        if not isinstance(item.shape, Mesh):
             return item
-        file = str((folder / item.mesh.file).resolve())
-        return item.model_copy(update={"mesh": item.mesh.model_copy(update={"file": file})})
+        return changed(item, shape=changed(item.shape, file=str((folder / item.shape.file).resolve())))
 
     return scene.model_copy(update={"objects": tuple(full(item) for item in scene.objects)})
 

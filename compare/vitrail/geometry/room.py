@@ -20,8 +20,6 @@ def place_of(light: Light) -> Vec | None:
         case Point() | Spot():
             return emitter.position
         case Area():
-            shape = emitter.rectangle or emitter.disc
-            assert shape is not None
-            return shape.center
+            return emitter.shape.center
         case Directional() | Environment():
             return None

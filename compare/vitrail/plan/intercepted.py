@@ -8,7 +8,7 @@ from typing import assert_never
 
 from vitrail.base.vector import length, subtract
 from vitrail.geometry.bounds import Bounds
-from vitrail.scene.model import Area, Directional, Environment, Light, Point, Spot
+from vitrail.scene.model import Area, Directional, Disc, Environment, Light, Point, Rectangle, Spot
 
 
 def intercepted_power(light: Light, bounds: Bounds) -> float | None:
@@ -34,14 +34,14 @@ def intercepted_power(light: Light, bounds: Bounds) -> float | None:
 
 def _area_power(lamp: Area) -> float:
     """All that the lamp gives: pi L A, or E A when it is collimated."""
-    if lamp.rectangle is not None:
-        area = 4 * length(lamp.rectangle.u) * length(lamp.rectangle.v)
-    else:
-        assert lamp.disc is not None
-        area = math.pi * lamp.disc.radius**2
-    if lamp.collimated:
-        return _mean(lamp.irradiance or ()) * area
-    return math.pi * _mean(lamp.radiance or ()) * area
+    match lamp.shape:
+        case Rectangle() as shape:
+            area = 4 * length(shape.u) * length(shape.v)
+        case Disc() as shape:
+            area = math.pi * shape.radius**2
+        case _:
+            assert_never(lamp.shape)
+    return _mean(lamp.strength) * area if lamp.collimated else math.pi * _mean(lamp.strength) * area
 
 
 def _solid_angle(distance: float, radius: float) -> float:

@@ -8,7 +8,7 @@ from typing import assert_never
 from vitrail.base.vector import Vec, cross, dot, length, subtract, unit
 from vitrail.geometry.bounds import Bounds, bounds_of
 from vitrail.geometry.placement import place
-from vitrail.scene.model import Area, Directional, Environment, Light, Object, Plane, Point, Spot
+from vitrail.scene.model import Area, Directional, Disc, Environment, Light, Object, Plane, Point, Rectangle, Spot
 
 ANGLE_SLACK = 1e-9
 """Radians added to every cone before it is used as a proof of darkness."""
@@ -23,7 +23,7 @@ def is_lit(light: Light) -> bool:
         case Point() | Spot():
             return max(emitter.intensity) > 0
         case Area():
-            return max(emitter.radiance or emitter.irradiance or (0.0,)) > 0
+            return max(emitter.strength) > 0
         case Environment():
             return emitter.radiance is None or max(emitter.radiance) > 0
         case _:
@@ -82,11 +82,13 @@ def _in_front(lamp: Area, bounds: Bounds) -> bool:
 
 def _emitting_face(lamp: Area) -> tuple[Vec, Vec, float]:
     """Centre, unit normal and the radius of the circle around the lamp."""
-    if lamp.rectangle is not None:
-        u, v = lamp.rectangle.u, lamp.rectangle.v
-        return lamp.rectangle.center, unit(cross(u, v)), math.hypot(length(u), length(v))
-    assert lamp.disc is not None
-    return lamp.disc.center, unit(lamp.disc.normal), lamp.disc.radius
+    match lamp.shape:
+        case Rectangle() as shape:
+            return shape.center, unit(cross(shape.u, shape.v)), math.hypot(length(shape.u), length(shape.v))
+        case Disc() as shape:
+            return shape.center, unit(shape.normal), shape.radius
+        case _:
+            assert_never(lamp.shape)
 
 
 def _angle(a: Vec, b: Vec) -> float:

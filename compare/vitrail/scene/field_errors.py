@@ -4,17 +4,19 @@ from __future__ import annotations
 
 from typing import Any
 
-from pydantic import BaseModel, ValidationError
+from pydantic import ValidationError
 
+from vitrail.base.fault import Fault
 from vitrail.base.suggestion import nearest, suggestion
+from vitrail.scene.colours import colour_keys
 from vitrail.scene.diagnostic import Diagnostic
-from vitrail.scene.field_types import example_at, known_keys
-from vitrail.scene.model import COLOUR_KEYS
+from vitrail.scene.field_types import example_at, known_keys, part_types
+from vitrail.scene.model import Part, Scene
 from vitrail.scene.yaml_tree import Path, Places
 
 
 def field_diagnostics(
-    error: ValidationError, data: Any, top: type[BaseModel], places: Places, file: str
+    error: ValidationError, data: Any, top: type[Part], places: Places, file: str
 ) -> list[Diagnostic]:
     """One Diagnostic for each thing that is wrong; alternatives that the author did not mean are left out."""
     found: dict[tuple[int, int, str], Diagnostic] = {}
@@ -32,7 +34,7 @@ def field_diagnostics(
     return list(found.values())
 
 
-def _misspelt(errors: list[tuple[Any, Path, Any]], data: Any, top: type[BaseModel]) -> set[Path]:
+def _misspelt(errors: list[tuple[Any, Path, Any]], data: Any, top: type[Part]) -> set[Path]:
     """The paths that unknown keys were probably meant for."""
     unknown = [path for each, path, _ in errors if each["type"] == "extra_forbidden"]
     return {(*path[:-1], nearest(str(path[-1]), known_keys(path[:-1], data, top)) or "") for path in unknown}
@@ -63,7 +65,8 @@ def _walk(loc: tuple[int | str, ...], data: Any) -> tuple[Path, Any] | None:
 
 
 def _is_mapping_alternative(step: str) -> bool:
-    return step in ("Checker", "Ggx", "Abbe", "Ambient", "SpectralBands")
+    """Whether an alternative is a mapping; pydantic names it by its class."""
+    return step in {part.__name__ for part in part_types(Scene)}
 
 
 def _is_alternative(step: str) -> bool:
@@ -75,12 +78,13 @@ def _is_alternative(step: str) -> bool:
 # --- what to say ----------------------------------------------------------------------------------------------------
 
 
-def _explain(error: Any, path: Path, value: Any, data: Any, top: type[BaseModel]) -> tuple[str, str, bool]:
+def _explain(error: Any, path: Path, value: Any, data: Any, top: type[Part]) -> tuple[str, str, bool]:
     """(what, remedy, whether the key rather than the value is the place)."""
     kind, context, name = error["type"], error.get("ctx") or {}, _label(path)
     if kind == "value_error":
-        what, _, remedy = str(context["error"]).partition("; ")
-        return what, remedy or "change it", isinstance(value, dict)
+        fault = context["error"]
+        assert isinstance(fault, Fault), fault
+        return fault.what, fault.remedy, isinstance(value, dict)
     if kind == "extra_forbidden":
         known = known_keys(path[:-1], data, top)
         return f"unknown key `{path[-1]}`{_inside(path)}", suggestion(str(path[-1]), known, "key"), True
@@ -120,12 +124,10 @@ def _explain_choice(name: str, value: Any, context: Any, mapping: str | None) ->
     return f"{name} is {_shown(value)}", f"the choices are {', '.join(choices)}", False
 
 
-def _explain_type(
-    kind: str, name: str, value: Any, path: Path, data: Any, top: type[BaseModel]
-) -> tuple[str, str, bool]:
+def _explain_type(kind: str, name: str, value: Any, path: Path, data: Any, top: type[Part]) -> tuple[str, str, bool]:
     """A value of another kind than the field takes."""
     wanted = _WANTED.get(kind)
-    if kind == "tuple_type" and path and path[-1] in COLOUR_KEYS:
+    if kind == "tuple_type" and path and path[-1] in colour_keys():
         return f"{name} must be a colour, found {_shown(value)}", "write a number, or [red, green, blue]", False
     if isinstance(value, list) and kind in ("missing", "too_long", "too_short"):
         return f"{name} has {len(value)} entries", f"give {example_at(path, data, top)}", False

@@ -5,22 +5,22 @@ from __future__ import annotations
 import types
 import typing
 from collections.abc import Iterator
+from functools import cache
 from typing import Any
 
-from pydantic import BaseModel
-
+from vitrail.scene.model import Part
 from vitrail.scene.yaml_tree import Path
 
 
-def known_keys(path: Path, data: Any, top: type[BaseModel]) -> list[str]:
+def known_keys(path: Path, data: Any, top: type[Part]) -> list[str]:
     """The keys that the mapping at ``path`` may have, as written in a file."""
     keys: list[str] = []
     for model in _models_at(path, top):
-        keys += [info.alias or name for name, info in model.model_fields.items()]
+        keys += model.file_keys()
     return list(dict.fromkeys(keys))
 
 
-def _models_at(path: Path, top: type[BaseModel]) -> list[type[BaseModel]]:
+def _models_at(path: Path, top: type[Part]) -> list[type[Part]]:
     """The models whose fields the mapping at ``path`` is read as."""
     current: list[Any] = [top]
     for step in path:
@@ -28,13 +28,13 @@ def _models_at(path: Path, top: type[BaseModel]) -> list[type[BaseModel]]:
         for annotation in current:
             following += _below(annotation, step)
         current = [leaf for annotation in following for leaf in _leaves(annotation)]
-    return [each for each in current if isinstance(each, type) and issubclass(each, BaseModel)]
+    return [each for each in current if isinstance(each, type) and issubclass(each, Part)]
 
 
 def _below(annotation: Any, step: str | int) -> list[Any]:
     """The annotations one step further down."""
-    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
-        return [info.annotation for name, info in annotation.model_fields.items() if step in (name, info.alias)]
+    if isinstance(annotation, type) and issubclass(annotation, Part):
+        return [value for key, value in annotation.file_keys().items() if step == key]
     arguments = typing.get_args(annotation)
     if typing.get_origin(annotation) is dict:
         return [arguments[1]]
@@ -71,7 +71,7 @@ _EXAMPLES = {
 }
 
 
-def example_at(path: Path, data: Any, top: type[BaseModel]) -> str:
+def example_at(path: Path, data: Any, top: type[Part]) -> str:
     """A value that would be right there."""
     name = next((step for step in reversed(path) if isinstance(step, str)), "")
     if path and isinstance(path[-1], str) and name in _EXAMPLES:
@@ -85,7 +85,7 @@ def example_at(path: Path, data: Any, top: type[BaseModel]) -> str:
         return "a whole number, as in 64"
     if str in leaves:
         return "a name"
-    if any(isinstance(leaf, type) and issubclass(leaf, BaseModel) for leaf in leaves):
+    if any(isinstance(leaf, type) and issubclass(leaf, Part) for leaf in leaves):
         keys = known_keys(path, data, top)
         return "{" + ", ".join(f"{key}: ..." for key in keys[:4]) + "}"
     return "a number, as in 0.5"
@@ -97,10 +97,26 @@ def _holder(path: Path) -> Path:
     return path[:last]
 
 
-def _field_leaves(model: type[BaseModel], name: str) -> list[Any]:
-    return [
-        leaf
-        for key, info in model.model_fields.items()
-        if name in (key, info.alias)
-        for leaf in _leaves(info.annotation)
-    ]
+def _field_leaves(model: type[Part], name: str) -> list[Any]:
+    return [leaf for key, annotation in model.file_keys().items() if name == key for leaf in _leaves(annotation)]
+
+
+@cache
+def part_types(top: type[Part]) -> frozenset[type[Part]]:
+    """Every type of part that a value of ``top`` may hold, itself included."""
+    found, waiting = {top}, [top]
+    while waiting:
+        for annotation in waiting.pop().file_keys().values():
+            new = set(_parts_in(annotation)) - found
+            found |= new
+            waiting += new
+    return frozenset(found)
+
+
+def _parts_in(annotation: Any) -> Iterator[type[Part]]:
+    for leaf in _leaves(annotation):
+        if isinstance(leaf, type) and issubclass(leaf, Part):
+            yield leaf
+        else:
+            for inner in typing.get_args(leaf):
+                yield from _parts_in(inner)

@@ -10,7 +10,8 @@ import hashlib
 import re
 from typing import Any
 
-from vitrail.scene.model import COLOUR_KEYS, Part, Scene
+from vitrail.scene.colours import colour_keys
+from vitrail.scene.model import Part, Scene
 
 _PLAIN = re.compile(r"[A-Za-z_][A-Za-z0-9_-]*")
 _WORDS_OF_YAML = {"true", "false", "null"}
@@ -19,7 +20,7 @@ _WORDS_OF_YAML = {"true", "false", "null"}
 def print_scene(scene: Scene) -> str:
     """Canonical YAML; ``load_text(print_scene(scene)).scene == scene``."""
     lines: list[str] = []
-    for key, value in _written(scene):
+    for key, value in scene.entries():
         if isinstance(value, dict) and value:
             lines.append(f"{key}:")
             lines += [f"  {_text(name)}: {_flow(inner, '')}" for name, inner in value.items()]
@@ -36,21 +37,11 @@ def scene_hash(scene: Scene) -> str:
     return hashlib.sha256(print_scene(scene).encode("utf-8")).hexdigest()
 
 
-def _written(part: Part) -> list[tuple[str, Any]]:
-    """The (key, value) pairs to write: those that must be given, and those that differ from their default."""
-    pairs = []
-    for name, info in type(part).model_fields.items():
-        value = getattr(part, name)
-        if value != info.default:  # A key that must be given has no default, which equals nothing.
-            pairs.append((info.alias or name, value))
-    return pairs
-
-
 def _flow(value: Any, key: str) -> str:
     """One value on one line."""
     match value:
         case Part():
-            return "{" + ", ".join(f"{name}: {_flow(inner, name)}" for name, inner in _written(value)) + "}"
+            return "{" + ", ".join(f"{name}: {_flow(inner, name)}" for name, inner in value.entries()) + "}"
         case bool():
             return "true" if value else "false"
         case str():
@@ -59,7 +50,7 @@ def _flow(value: Any, key: str) -> str:
             return str(value)
         case float():
             return _number(value)
-        case tuple() if key in COLOUR_KEYS and len(value) == 3 and value[0] == value[1] == value[2]:
+        case tuple() if key in colour_keys() and len(value) == 3 and value[0] == value[1] == value[2]:
             return _number(value[0])
         case tuple():
             inner_key = "color" if key == "colors" else ""

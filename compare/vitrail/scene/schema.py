@@ -9,7 +9,8 @@ import json
 from pathlib import Path
 from typing import Any
 
-from vitrail.scene.model import LIGHT_KEYS, SHAPE_KEYS, Scene
+from vitrail.scene.model import Area, Light, Object, Scene
+from vitrail.scene.model.by_key import OneByKey
 
 SCHEMA_FILE = Path("scenes/schema.json")
 
@@ -17,8 +18,10 @@ SCHEMA_FILE = Path("scenes/schema.json")
 def scene_schema() -> dict[str, Any]:
     """JSON Schema (draft 2020-12) of a scene file. What needs two values to judge is left to ``check``."""
     schema = _without_null(Scene.model_json_schema(by_alias=True, mode="validation"))
-    _require_one_of(schema["$defs"]["Object"], SHAPE_KEYS)
-    _require_one_of(schema["$defs"]["Light"], LIGHT_KEYS)
+    for part in (Object, Light, Area):
+        _write_by_key(schema["$defs"][part.__name__], part)
+    for part in (Object, Light):
+        _require_one_of(schema["$defs"][part.__name__], part)
     return {"$schema": "https://json-schema.org/draft/2020-12/schema", **schema, "title": "Vitrail scene"}
 
 
@@ -41,9 +44,21 @@ def _without_null(schema: Any) -> Any:
     return made
 
 
-def _require_one_of(definition: dict[str, Any], keys: tuple[str, ...]) -> None:
+def _write_by_key(definition: dict[str, Any], part: type[OneByKey]) -> None:
+    """In the place of the field of several types, one key for each type."""
+    properties: dict[str, Any] = {}
+    for name, value in definition["properties"].items():
+        by_key = {key: {"$ref": f"#/$defs/{kind.__name__}"} for key, kind in part.kinds().items()}
+        properties |= by_key if name == part.chosen else {name: value}
+    definition["properties"] = properties
+    definition["required"] = [name for name in definition["required"] if name != part.chosen]
+    if not definition["required"]:
+        del definition["required"]
+
+
+def _require_one_of(definition: dict[str, Any], part: type[OneByKey]) -> None:
     """Exactly one of the keys must be there."""
-    definition["oneOf"] = [{"required": [key]} for key in keys]
+    definition["oneOf"] = [{"required": [key]} for key in part.kinds()]
 
 
 if __name__ == "__main__":

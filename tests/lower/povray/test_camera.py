@@ -62,7 +62,7 @@ def test_a_checker_lies_where_the_surface_coordinates_say() -> None:
     camera = "camera: {kind: orthographic, position: [0, 1, 0], look_at: [0, 0, 0], up: [0, 0, -1], height: 4}"
     loaded = scene(material, objects, camera=camera, image="image: {width: 40, height: 40}")
     image = rendered(loaded).image.radiance
-    floor = loaded.scene.objects[0].plane
+    floor = loaded.scene.objects[0].shape
     for row in range(40):
         for column in range(40):
             x, z = (column + 0.5) * 0.1 - 2, (row + 0.5) * 0.1 - 2

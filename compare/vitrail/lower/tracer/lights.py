@@ -14,7 +14,7 @@ Json = dict[str, Any]
 
 def lowered_light(light: Light, folder: Path | None) -> Json:
     """One light; directions come out with unit length."""
-    return {"name": light.name, "kind": light.kind, **_emitter(light, folder)}
+    return {"name": light.name, "kind": light.emitter.key, **_emitter(light, folder)}
 
 
 def _emitter(light: Light, folder: Path | None) -> Json:
@@ -46,8 +46,6 @@ def _emitter(light: Light, folder: Path | None) -> Json:
 
 
 def _area(lamp: Area) -> Json:
-    shape = lamp.rectangle or lamp.disc
-    assert shape is not None
     if lamp.collimated:
-        return {"shape": flat_shape(shape), "collimated": True, "irradiance": lamp.irradiance}
-    return {"shape": flat_shape(shape), "radiance": lamp.radiance}
+        return {"shape": flat_shape(lamp.shape), "collimated": True, "irradiance": lamp.strength}
+    return {"shape": flat_shape(lamp.shape), "radiance": lamp.strength}

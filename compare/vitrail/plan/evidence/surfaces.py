@@ -17,7 +17,7 @@ def diffusion(facts: Facts) -> Requirement:
         if facts.material(item).is_diffuse or facts.material(item).emission is not None
     ]
     evidence += [
-        f"`{light.name}` is the sky behind everything" for light in facts.lights if light.kind == "environment"
+        f"`{light.name}` is the sky behind everything" for light in facts.lights if light.emitter.key == "environment"
     ]
     if not evidence:
         return not_needed("nothing that scatters light or glows can be seen")

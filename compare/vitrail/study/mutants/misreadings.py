@@ -6,7 +6,8 @@ import math
 from collections.abc import Callable
 from typing import Any
 
-from vitrail.scene.model import Area, Directional, Light, Material, Object, Scene, Transport
+from vitrail.base.changed import changed
+from vitrail.scene.model import Area, Directional, Light, Material, Object, Rectangle, Scene, Sphere, Transport
 
 Misreading = Callable[[Scene], Scene]
 Triplet = tuple[float, float, float]
@@ -89,8 +90,8 @@ def turned_sun(angle: float) -> Misreading:
             return light
         x, y, z = emitter.direction
         sine, cosine = math.sin(angle), math.cos(angle)
-        turned = emitter.model_copy(update={"direction": (x * cosine - y * sine, x * sine + y * cosine, z)})
-        return light.model_copy(update={"directional": turned})
+        turned = changed(emitter, direction=(x * cosine - y * sine, x * sine + y * cosine, z))
+        return changed(light, emitter=turned)
 
     return lights(change)
 
@@ -99,10 +100,10 @@ def moved_balls(metres: float) -> Misreading:
     """Balls ``metres`` aside, along x."""
 
     def change(item: Object) -> Object:
-        if item.sphere is None:
+        if not isinstance(item.shape, Sphere):
             return item
-        x, y, z = item.sphere.center
-        return item.model_copy(update={"sphere": item.sphere.model_copy(update={"center": (x + metres, y, z)})})
+        x, y, z = item.shape.center
+        return changed(item, shape=changed(item.shape, center=(x + metres, y, z)))
 
     return objects(change)
 
@@ -112,14 +113,12 @@ def smaller_lamps(factor: float) -> Misreading:
 
     def change(light: Light) -> Light:
         emitter = light.emitter
-        if not isinstance(emitter, Area) or emitter.rectangle is None or emitter.radiance is None:
+        if not isinstance(emitter, Area) or not isinstance(emitter.shape, Rectangle) or emitter.radiance is None:
             return light
-        shape = emitter.rectangle
-        smaller = shape.model_copy(update={"u": times(shape.u, factor), "v": times(shape.v, factor)})
+        shape = emitter.shape
+        smaller = changed(shape, u=times(shape.u, factor), v=times(shape.v, factor))
         brighter = times(emitter.radiance, factor**-2)
-        return light.model_copy(
-            update={"area": emitter.model_copy(update={"rectangle": smaller, "radiance": brighter})}
-        )
+        return changed(light, emitter=changed(emitter, shape=smaller, radiance=brighter))
 
     return lights(change)
 
@@ -131,8 +130,7 @@ def brighter_suns(factor: float) -> Misreading:
         emitter = light.emitter
         if not isinstance(emitter, Directional):
             return light
-        brighter = emitter.model_copy(update={"irradiance": times(emitter.irradiance, factor)})
-        return light.model_copy(update={"directional": brighter})
+        return changed(light, emitter=changed(emitter, irradiance=times(emitter.irradiance, factor)))
 
     return lights(change)
 

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from vitrail.base.changed import changed
 from vitrail.base.vector import Vec, length
 from vitrail.geometry.distance import distances_to_surface
 from vitrail.geometry.inside import is_solid
@@ -79,7 +80,7 @@ def with_contacts(scene: Scene, units: Normalisation) -> Joined:
         larger = _larger(scene.objects[index], depth)
         if larger is not None:
             grown[index] = Grown(index, depth, 2 * depth / thickness_of_placed(place(scene.objects[index])))
-            objects[index] = objects[index].model_copy(update={scene.objects[index].shape_key: larger.shape})
+            objects[index] = changed(objects[index], shape=larger.shape)
     under: dict[int, tuple[int, ...]] = {}
     pairs = set()
     for index, other in found:

@@ -42,7 +42,7 @@ def _grids(scene: Scene, lights: Sequence[Source], skies: Skies) -> Iterator[Ent
             yield Entry(
                 Phenomenon.SHADOW,
                 f"L{index + 1}",
-                f"one {light.kind} light",
+                f"one {light.emitter.key} light",
                 f"{count} small ones in each half image, at random in cells of equal {measure}",
                 1 / (2 * count),
                 RELATIVE,

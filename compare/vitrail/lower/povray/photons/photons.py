@@ -115,8 +115,8 @@ def photon_targets(
             continue
         bounds = bounds_with(meshes, item)
         if not bounds.is_finite:
-            what = f"POV-Ray cannot aim photons at an infinite {item.shape_key}"
-            refused.append(refusals.at(what, "use a rectangle, a disc or a box", "objects", index, item.shape_key))
+            what = f"POV-Ray cannot aim photons at an infinite {item.shape.key}"
+            refused.append(refusals.at(what, "use a rectangle, a disc or a box", "objects", index, item.shape.key))
             continue
         balls.append(Ball(units.point(bounds.centre), units.length(bounds.radius_m)))
     if refused:

@@ -18,7 +18,7 @@ from vitrail.lower.povray.refusals.refusal import Refusals
 from vitrail.lower.povray.text.sdl import Block, block, statement
 from vitrail.plan.settings import Quality
 from vitrail.scene.diagnostic import Diagnostic
-from vitrail.scene.model import Scene
+from vitrail.scene.model import Environment, Scene
 
 RAYS: dict[Quality, int] = {Quality.DRAFT: 100, Quality.NORMAL: 200, Quality.REFERENCE: 800}
 """Rays a gathering point; the second half image has a few more, and so other ones."""
@@ -62,7 +62,7 @@ def radiosity_refusals(scene: Scene, refusals: Refusals) -> Iterator[Diagnostic]
             what = "POV-Ray's radiosity would let this emission light other surfaces, which in a scene it does not"
             yield refusals.at(what, "use a light, or `indirect: {ambient: ...}`", "materials", name, "emission")
     for index, light in enumerate(scene.lights):
-        if light.environment is not None:
+        if isinstance(light.emitter, Environment):
             what = "POV-Ray's radiosity would count the environment twice"
             yield refusals.at(what, "use other lights, or `indirect: {ambient: ...}`", "lights", index, "environment")
     covered = {other for _, other in touching(scene)}

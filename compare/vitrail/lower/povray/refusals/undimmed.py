@@ -32,7 +32,7 @@ def lamps_in_absorbing_glass(scene: Scene, refusals: Refusals) -> Iterator[Diagn
                     f"POV-Ray does not dim the light of `{light.name}` on its way inside the absorbing `{glass.name}`"
                 )
                 remedy = "render it with the tracer alone, or move the lamp out of what absorbs"
-                yield refusals.at(what, remedy, "lights", index, light.kind)
+                yield refusals.at(what, remedy, "lights", index, light.emitter.key)
 
 
 def _absorbs(scene: Scene, item: Object) -> bool:
@@ -46,10 +46,8 @@ def _places(light: Light) -> list[Vec]:
         case Point() | Spot() as emitter:
             return [emitter.position]
         case Area() as emitter:
-            shape = emitter.rectangle or emitter.disc
-            assert shape is not None
-            placed = Placed(shape, NO_TURN)
-            return [shape.center, *surface_points(placed, placed)]
+            placed = Placed(emitter.shape, NO_TURN)
+            return [emitter.shape.center, *surface_points(placed, placed)]
         case Directional() | Environment():
             return []
 

@@ -126,12 +126,11 @@ def _parallel(index: int, irradiance: Triplet, part: Emitter) -> Source:
 
 def _collimated(index: int, lamp: Area, units: Normalisation) -> Source:
     """Parallel light from far behind the lamp that must pass through its outline."""
-    shape = lamp.rectangle or lamp.disc
-    assert shape is not None and lamp.irradiance is not None
+    shape = lamp.shape
     normal = unit(shape.normal if isinstance(shape, Disc) else cross(shape.u, shape.v))
     middle = units.point(shape.center)
     start = add(middle, scale(normal, -SUN_DISTANCE))
-    strength, area = times(lamp.irradiance, 1 / math.pi), area_of(shape) * units.scale**2
+    strength, area = times(lamp.strength, 1 / math.pi), area_of(shape) * units.scale**2
     return Source(index, strength, start, normal, aperture=aperture(shape, units), aperture_area=area)
 
 
@@ -145,10 +144,9 @@ def _patch(
     refusals: Refusals,
 ) -> list[Source]:
     """One-sided Lambertian points on the lamp: I = radiance * area * cosine, shared."""
-    shape = lamp.rectangle or lamp.disc
-    assert shape is not None and lamp.radiance is not None
+    shape = lamp.shape
     parts = disc_points(shape, grid) if isinstance(shape, Disc) else rectangle_points(shape, grid)
-    strength = times(lamp.radiance, area_of(shape) * units.scale**2 / math.pi)
+    strength = times(lamp.strength, area_of(shape) * units.scale**2 / math.pi)
     found = []
     for part in parts:
         fade = _fade(light, index, part.position, scene, units, refusals)
@@ -170,7 +168,9 @@ def _fade(light: Light, index: int, position: Vec, scene: Scene, units: Normalis
     reach = units.length(nearest)
     if reach <= NEAREST_SURFACE:
         what = f"the lamp is {nearest:.3g} m from a surface, nearer than POV-Ray's shadow rays can tell"
-        raise NotTranslatable([refusals.at(what, "move the lamp away from the surface", "lights", index, light.kind)])
+        raise NotTranslatable(
+            [refusals.at(what, "move the lamp away from the surface", "lights", index, light.emitter.key)]
+        )
     return FADE_SHARE * reach
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from vitrail.base.phenomenon import Phenomenon
@@ -11,6 +10,7 @@ from vitrail.lower.povray.text.sky import Skies, Sky
 from vitrail.optics.bands import ALL_LIGHT, Band, band_model
 from vitrail.plan.plan import Plan
 from vitrail.plan.settings import Settings
+from vitrail.scene.colours import colours_of
 from vitrail.scene.model import Light, Scene
 
 ALL = (Exposure(),)
@@ -83,7 +83,7 @@ def _sliced(exposures: tuple[Exposure, ...], bands: tuple[Band, ...]) -> tuple[E
 
 def _apart(scene: Scene, skies: Skies) -> tuple[Exposure, ...]:
     """One exposure for each group of channels that the whole scene treats alike."""
-    colours = [*_colours(scene.model_dump()), *(colour for sky in skies.values() for colour in sky.colours)]
+    colours = [*colours_of(scene), *(colour for sky in skies.values() for colour in sky.colours)]
     groups: list[list[int]] = []
     for channel in range(3):
         alike = next((g for g in groups if all(colour[g[0]] == colour[channel] for colour in colours)), None)
@@ -92,37 +92,6 @@ def _apart(scene: Scene, skies: Skies) -> tuple[Exposure, ...]:
         else:
             alike.append(channel)
     return tuple(Exposure(group[0], stands_for=tuple(group)) for group in groups)
-
-
-COLOUR_KEYS = {
-    "diffuse",
-    "reflection",
-    "transmission",
-    "emission",
-    "absorption_per_m",
-    "color",
-    "colors",
-    "irradiance",
-    "intensity",
-    "radiance",
-    "ambient",
-}
-"""Every key of the scene language that holds colours."""
-
-
-def _colours(part: object, key: str = "") -> Iterator[Triplet]:
-    """All colours of a dumped scene."""
-    match part:
-        case dict():
-            for name, value in part.items():
-                yield from _colours(value, name)
-        case tuple() | list() if key in COLOUR_KEYS and len(part) == 3 and isinstance(part[0], float | int):
-            yield (part[0], part[1], part[2])
-        case tuple() | list():
-            for value in part:
-                yield from _colours(value, key)
-        case _:
-            return
 
 
 def _coloured_glass(scene: Scene) -> str:

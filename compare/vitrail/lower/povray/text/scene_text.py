@@ -19,7 +19,7 @@ from vitrail.lower.povray.text.sdl import Block, Directive, SdlFile, Statement, 
 from vitrail.lower.povray.text.sky import Skies, SkyPicture
 from vitrail.plan.plan import Plan
 from vitrail.plan.settings import Quality
-from vitrail.scene.model import Ambient, Scene
+from vitrail.scene.model import Ambient, Environment, Scene
 
 DARK = (statement("ambient", 0), statement("emission", 0), statement("diffuse", 0))
 """The finish of what says nothing else; POV-Ray's own has light of its own [P 1.1]."""
@@ -94,8 +94,9 @@ class SceneText:
 
     def _sky(self) -> Triplet:
         """What a ray sees that meets nothing: the constant environments."""
-        found = [light.environment.radiance for light in self.scene.lights if light.environment is not None]
-        red, green, blue = (math.fsum(sky[channel] for sky in found if sky is not None) for channel in range(3))
+        skies = [light.emitter for light in self.scene.lights if isinstance(light.emitter, Environment)]
+        found = [sky.radiance for sky in skies if sky.radiance is not None]
+        red, green, blue = (math.fsum(sky[channel] for sky in found) for channel in range(3))
         return (red, green, blue)
 
 

@@ -25,7 +25,7 @@ from vitrail.lower.povray.text.emitters import Grid, sphere_cells
 from vitrail.lower.povray.text.exposure import Exposure, Triplet
 from vitrail.lower.povray.text.sdl import Block, Product, Quoted, block, statement
 from vitrail.scene.diagnostic import Diagnostic
-from vitrail.scene.model import Scene
+from vitrail.scene.model import Environment, Scene
 
 MOST_PIXELS = 1 << 25
 """8192 x 4096; every process of POV-Ray holds its own copy, in 30 bytes a pixel: 1 GB."""
@@ -118,11 +118,11 @@ def skies_of(scene: Scene, folder: Path, refusals: Refusals) -> Skies:
     found: dict[int, Sky] = {}
     refused: list[Diagnostic] = []
     for index, light in enumerate(scene.lights):
-        if light.environment is None or light.environment.file is None:
+        if not isinstance(light.emitter, Environment) or light.emitter.file is None:
             continue
         path = ("lights", index, "environment", "file")
         try:
-            radiance = read_sky(folder / light.environment.file)
+            radiance = read_sky(folder / light.emitter.file)
         except ImageError as error:
             what, _, remedy = str(error).rpartition("; ")
             refused.append(refusals.at(f"the image of the sky is of no use: {what}", remedy, *path))
