@@ -8,7 +8,7 @@ import pytest
 
 from tests.end_to_end.conftest import ROOT, Compare
 from vitrail.base.phenomenon import Phenomenon
-from vitrail.judge.comparison import Outcome, Verdict
+from vitrail.judge.comparison import AblationOutcome, Verdict
 from vitrail.judge.records import Results
 from vitrail.pipeline.defects import DEFECTS
 
@@ -45,7 +45,9 @@ def test_the_right_phenomenon_turns_red(
         assert observation.attribution is not None and observation.attribution.engine == "povray"
     # The scene with one thing after the other switched off says the same, without knowing any formula.
     assert observation.where is not None and observation.where.suspects == (phenomenon,), observation.where
-    assert {entry.off for entry in observation.where.ablations if entry.outcome is Outcome.STAYS} == stays_without
+    assert {
+        entry.off for entry in observation.where.ablations if entry.outcome is AblationOutcome.STAYS
+    } == stays_without
 
 
 @pytest.mark.parametrize("scene", ["grey_card_directional", "beer_slab"])

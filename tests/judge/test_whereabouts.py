@@ -9,9 +9,9 @@ import pytest
 
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.judge.comparison import (
+    AblationOutcome,
     LayerShare,
     ObservationResult,
-    Outcome,
     Pair,
     PatchRecord,
     TolerancePart,
@@ -20,7 +20,7 @@ from vitrail.judge.comparison import (
 from vitrail.judge.patch_light import PatchLight, is_too_weak, layer_shares
 from vitrail.judge.verdict import Measured, Noise, decide, overall
 from vitrail.judge.whereabouts import Switched, whereabouts
-from vitrail.metrics.measurement import Interval, Measurement
+from vitrail.metrics.measurement import Measurement, StudentInterval
 
 P = Phenomenon
 LEVEL = 0.99
@@ -43,7 +43,7 @@ def observed(phenomenon: Phenomenon = P.CAUSTIC, error: float = 0.0, **off_by: f
 
 def light(tracer: float = 1.0, povray: float = 0.5, error: float = 0.0, **layers: float) -> PatchLight:
     difference = tracer - povray
-    interval = Interval.about(difference, error, 24, LEVEL, "for this test")
+    interval = StudentInterval.about(difference, error, 24, LEVEL, "for this test")
     found = Measurement("mean_difference.red", difference, "W", 0.0, interval=interval)
     parts = {P(name): np.full(3, value) for name, value in layers.items()}
     return PatchLight(np.full(3, tracer), np.full(3, povray), (found,) * 3, parts)
@@ -72,7 +72,11 @@ def test_what_goes_with_one_and_stays_with_the_others_lives_there() -> None:
         switched("specular bodies", GONE, *GLASS),
     )
     assert found.suspects == (P.CAUSTIC,)
-    assert [each.outcome for each in found.ablations] == [Outcome.STAYS, Outcome.STAYS, Outcome.GOES]
+    assert [each.outcome for each in found.ablations] == [
+        AblationOutcome.STAYS,
+        AblationOutcome.STAYS,
+        AblationOutcome.GOES,
+    ]
     assert found.reason == (
         "in caustic: it goes when specular bodies is off, and it stays when coloured_transmission is off"
         " and when refraction is off"
@@ -101,45 +105,45 @@ def test_contradiction_names_nothing() -> None:
 )
 def test_neither_none_nor_all_of_it_tells_nothing(after: ObservationResult) -> None:
     found = told(THERE, switched("refraction", after))
-    assert found.ablations[0].outcome is Outcome.UNCLEAR
+    assert found.ablations[0].outcome is AblationOutcome.UNCLEAR
     assert set(found.suspects) == REQUIRED
 
 
 def test_one_number_that_still_deviates_is_enough_for_doubt() -> None:
     before = observed(flux_ratio=0.5, r50_ratio=0.1)
     found = told(before, switched("refraction", observed(flux_ratio=0.0, r50_ratio=0.1)))
-    assert found.ablations[0].outcome is Outcome.UNCLEAR
+    assert found.ablations[0].outcome is AblationOutcome.UNCLEAR
 
 
 def test_numbers_of_nothing_do_not_hide_that_the_observed_phenomenon_was_it() -> None:
     """Without a spectrum the order of its colours is chance, but its place is right again; or its light is."""
     before = observed(P.CAUSTIC, place_shift=0.5, colour_order=0.2)
     chance = observed(P.CAUSTIC, place_shift=0.0, colour_order=0.2)
-    assert told(before, switched("caustic", chance)).ablations[0].outcome is Outcome.GOES
-    assert told(before, switched("refraction", chance)).ablations[0].outcome is Outcome.UNCLEAR
+    assert told(before, switched("caustic", chance)).ablations[0].outcome is AblationOutcome.GOES
+    assert told(before, switched("refraction", chance)).ablations[0].outcome is AblationOutcome.UNCLEAR
     before = observed(P.CAUSTIC, indirect_ratio=100.0, flux_ratio=0.5)
     chance = observed(P.CAUSTIC, indirect_ratio=70.0, flux_ratio=0.0)
     assert told(before, switched("caustic", chance)).ablations[0].metric == "indirect_ratio"
     chance = observed(P.CAUSTIC, indirect_ratio=7.0, flux_ratio=0.0)
     found = told(before, switched("caustic", chance)).ablations[0]
-    assert (found.metric, found.outcome) == ("flux_ratio", Outcome.GOES)
+    assert (found.metric, found.outcome) == ("flux_ratio", AblationOutcome.GOES)
 
 
 def test_a_dark_patch_agrees_for_want_of_light() -> None:
     dark = light(0.01, 0.01)
     found = told(THERE, switched("reflection", GONE, light=dark))
-    assert found.ablations[0].outcome is Outcome.UNCLEAR and "dark" in found.reason
+    assert found.ablations[0].outcome is AblationOutcome.UNCLEAR and "dark" in found.reason
     found = told(THERE, switched("caustic", GONE, *GLASS, light=dark, darkens=True))
-    assert found.ablations[0].outcome is Outcome.GOES
+    assert found.ablations[0].outcome is AblationOutcome.GOES
 
 
 def test_the_mean_light_tells_where_no_number_is_left() -> None:
     gone = told(THERE, switched("refraction", observed(other=0.0), light=light(0.7, 0.7)))
-    assert (gone.ablations[0].outcome, gone.ablations[0].metric) == (Outcome.GOES, "mean_difference.red")
+    assert (gone.ablations[0].outcome, gone.ablations[0].metric) == (AblationOutcome.GOES, "mean_difference.red")
     stays = told(THERE, switched("refraction", observed(other=0.0), light=light(1.4, 0.8)))
-    assert stays.ablations[0].outcome is Outcome.STAYS
+    assert stays.ablations[0].outcome is AblationOutcome.STAYS
     alike = told(THERE, switched("refraction", observed(other=0.0), light=light(1.4, 0.8)), bright=light(1, 1))
-    assert alike.ablations[0].outcome is Outcome.UNCLEAR
+    assert alike.ablations[0].outcome is AblationOutcome.UNCLEAR
 
 
 def test_what_was_not_rendered_says_why_and_counts_for_nothing() -> None:

@@ -1,7 +1,6 @@
 """Intervals must hold the truth as often as they say, and the A/A floor must be what noise alone reads."""
 
 from dataclasses import replace
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -11,7 +10,7 @@ from tests.metrics.synthetic import noisy, patch_of, spot, value_of
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.metrics.by_phenomenon import BY_PHENOMENON, measure, measure_with_intervals
 from vitrail.metrics.caustic import caustic_centroid, caustic_flux, caustic_radii, profile_correlation
-from vitrail.metrics.measurement import Context, Interval, MetricError
+from vitrail.metrics.measurement import Context, MetricError, StudentInterval
 from vitrail.metrics.noise import METHOD, noise_floor, with_interval
 from vitrail.metrics.noise_model import learn_noise
 from vitrail.metrics.radiance import mean_radiance
@@ -155,7 +154,7 @@ def test_images_without_noise_have_intervals_of_no_width():
 
 
 def test_an_interval_widens_with_its_level():
-    narrow = Interval.about(2.0, 0.1, 10.0, 0.95, "m")
+    narrow = StudentInterval.about(2.0, 0.1, 10.0, 0.95, "m")
     wide = narrow.at_level(0.999)
     assert wide.low < narrow.low < 2.0 < narrow.high < wide.high
     assert narrow.high - 2.0 == pytest.approx(0.1 * 2.228139, rel=1e-6)
@@ -167,7 +166,7 @@ def test_the_same_images_give_the_same_interval():
 
 
 def test_every_phenomenon_has_metrics_and_no_other_name_does():
-    assert set(BY_PHENOMENON) == {p.value for p in Phenomenon}
+    assert set(BY_PHENOMENON) == set(Phenomenon)
 
 
 @pytest.mark.parametrize("phenomenon", list(Phenomenon))
@@ -178,10 +177,9 @@ def test_every_phenomenon_can_be_measured_with_intervals(phenomenon):
 
     base = patch_of(light, n_u=48, n_v=24)
     ours, theirs = noisy(base, 0.01, 1), noisy(base, 0.01, 2)
-    observation = SimpleNamespace(phenomenon=phenomenon, along="u")
     context = Context(full_radiance=(2.0, 2.0, 2.0), thickness_m=0.1)
-    absolute = measure_with_intervals(observation, ours, None, context)
-    compared = measure_with_intervals(observation, ours, theirs, context, level=0.999)
+    absolute = measure_with_intervals(phenomenon, ours, None, context)
+    compared = measure_with_intervals(phenomenon, ours, theirs, context, level=0.999)
     names = [m.metric for m in absolute]
     assert absolute and compared and len(set(names)) == len(names)
     assert len({m.metric for m in compared}) == len(compared)
@@ -193,9 +191,8 @@ def test_every_phenomenon_can_be_measured_with_intervals(phenomenon):
 
 
 def test_what_one_metric_cannot_answer_is_a_caveat_on_the_others():
-    observation = SimpleNamespace(phenomenon="shadow", along=None)
     flat = patch_of(lambda u, v: 1 + 0 * u * v)
-    found = measure(observation, flat, None, Context())
+    found = measure(Phenomenon.SHADOW, flat, None, Context())
     assert {m.family for m in found} == {"mean_radiance"}
     assert "penumbra: no edge" in found[0].caveats[-1]
 
@@ -203,4 +200,4 @@ def test_what_one_metric_cannot_answer_is_a_caveat_on_the_others():
 def test_nothing_measured_is_an_error():
     dark = patch_of(lambda u, v: 0 * u * v)
     with pytest.raises(MetricError, match="caustic"):
-        measure(SimpleNamespace(phenomenon="caustic", along=None), dark, dark, CONTEXT)
+        measure(Phenomenon.CAUSTIC, dark, dark, CONTEXT)

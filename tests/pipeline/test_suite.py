@@ -123,9 +123,9 @@ def test_doubt_that_costs_more_than_its_bound_buys_nothing_and_says_the_price(tm
 
 def test_a_number_that_comes_and_goes_with_the_noise_is_not_taken_for_exact() -> None:
     from vitrail.judge.observe import _steady
-    from vitrail.metrics.measurement import Interval, Measurement
+    from vitrail.metrics.measurement import Measurement, StudentInterval
 
-    known = Measurement("r50", 1.0, "m", 1.0, interval=Interval.about(1.0, 0.1, 5, 0.95, "draws"))
+    known = Measurement("r50", 1.0, "m", 1.0, interval=StudentInterval.about(1.0, 0.1, 5, 0.95, "draws"))
     lost = Measurement("r90", 1.0, "m", 1.0)
     noisy, quiet = _Samples(noise=np.ones(1)), _Samples(noise=None)
     assert _steady(Pair.TRACER_POVRAY, [known, lost], [noisy, quiet]) == (  # type: ignore[list-item]

@@ -11,6 +11,7 @@ from vitrail.images.display import Display
 from vitrail.images.exr import write_image, write_png
 from vitrail.judge.comparison import (
     AblationEntry,
+    AblationOutcome,
     Attribution,
     Cause,
     Comparison,
@@ -18,7 +19,6 @@ from vitrail.judge.comparison import (
     Interval,
     LayerShare,
     ObservationResult,
-    Outcome,
     Pair,
     PatchRecord,
     Profile,
@@ -101,12 +101,13 @@ def observation(flux: float, error: float) -> ObservationResult:
 def whereabouts(flux: float) -> Whereabouts:
     """One thing whose absence mends the flux, and one that was too dear."""
     gone = AblationEntry(
-        off="caustic", words="bodies that mirror or refract are black", outcome=Outcome.GOES, metric="flux_ratio.red",
-        unit="1", before=flux - 1, after=0.002, interval=Interval(low=-0.001, high=0.005, level=0.9998, method="exact"),
+        off="caustic", words="bodies that mirror or refract are black", outcome=AblationOutcome.GOES,
+        metric="flux_ratio.red", unit="1", before=flux - 1, after=0.002,
+        interval=Interval(low=-0.001, high=0.005, level=0.9998, method="exact"),
         absent=(Phenomenon.CAUSTIC,), touched=(Phenomenon.CAUSTIC,),
     )  # fmt: skip
     dear = AblationEntry(
-        off="refraction", words="glass has index 1 and bends nothing", outcome=Outcome.NOT_RENDERED,
+        off="refraction", words="glass has index 1 and bends nothing", outcome=AblationOutcome.NOT_RENDERED,
         reason="about 9 CPU s each, and 2 are left; --budget-s bounds it",
         absent=(Phenomenon.REFRACTION,), touched=(Phenomenon.REFRACTION,),
     )  # fmt: skip

@@ -147,7 +147,7 @@ class PatchRecord(Record):
     coverage: float = Field(default=1.0, ge=0, le=1)
 
 
-class Outcome(StrEnum):
+class AblationOutcome(StrEnum):
     """What became of a deviation when something was switched off in both engines."""
 
     GOES = "goes"
@@ -165,7 +165,7 @@ class AblationEntry(Record):
 
     off: str
     words: str
-    outcome: Outcome
+    outcome: AblationOutcome
     metric: str = ""
     unit: str = ""
     before: float | None = None

@@ -144,7 +144,7 @@ class Observer:
     ) -> list[HalfError]:
         context = self._context(entry)
         try:
-            found = measure_with_intervals(entry, samples, None, context, level=LEVEL)
+            found = measure_with_intervals(entry.phenomenon, samples, None, context, level=LEVEL)
         except MetricError:
             return []
         half_edge_m = min(math.hypot(*entry.patch.u), math.hypot(*entry.patch.v))
@@ -182,6 +182,6 @@ def _half_width(measurement: Measurement) -> float:
 def _numbers(entry: Observation, samples: PatchSamples, context: Context) -> dict[str, float]:
     """Every number of a patch; none where nothing can be measured on it."""
     try:
-        return {each.metric: float(each.value) for each in measure(entry, samples, None, context)}
+        return {each.metric: float(each.value) for each in measure(entry.phenomenon, samples, None, context)}
     except MetricError:
         return {}

@@ -140,7 +140,12 @@ def context_of(scene: Scene, observation: Observation, truth: SceneTruth, correl
     """What the metrics may know: what the references state of the observation, and what the camera and plan give."""
     view = math.dist(scene.camera.position, observation.patch.center)
     known = truth.context(observation.name)
-    return replace(known, view_distance_m=known.view_distance_m or view, correlation_m=correlation_m)
+    return replace(
+        known,
+        along=observation.along or known.along,
+        view_distance_m=known.view_distance_m or view,
+        correlation_m=correlation_m,
+    )
 
 
 def _compare(
@@ -148,7 +153,9 @@ def _compare(
 ) -> tuple[list[Measured], list[str]]:
     """Every metric of the phenomenon between two images."""
     try:
-        found = measure_with_intervals(observation, samples[pair.candidate], samples[pair.reference], context)
+        found = measure_with_intervals(
+            observation.phenomenon, samples[pair.candidate], samples[pair.reference], context
+        )
     except MetricError as error:
         return [], [f"{pair.value}: {error}"]
     compared = [entry for entry in found if entry.ideal is not None]
@@ -174,7 +181,7 @@ def _against(
     if not truths:
         return [], [], []
     try:
-        measured = measure_with_intervals(observation, samples, None, context)
+        measured = measure_with_intervals(observation.phenomenon, samples, None, context)
     except MetricError as error:
         return [], [], [f"{pair.value}: {error}"]
     wanted = {truth.metric for truth in truths}
@@ -201,7 +208,7 @@ def _smoothing(
     if observation.phenomenon is not Phenomenon.CAUSTIC:
         return {}
     try:
-        again = measure(observation, smoothed_again(samples, context.correlation_m), None, context)
+        again = measure(observation.phenomenon, smoothed_again(samples, context.correlation_m), None, context)
     except MetricError:
         return {}
     return {each.metric: abs(each.value - found[each.metric].value) for each in again if each.metric in found}

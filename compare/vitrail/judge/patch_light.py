@@ -10,7 +10,7 @@ import numpy as np
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.images.patch import PatchSamples
 from vitrail.judge.comparison import LayerShare
-from vitrail.metrics.measurement import CHANNELS, Context, Interval, Measurement
+from vitrail.metrics.measurement import CHANNELS, Context, Measurement, StudentInterval
 from vitrail.metrics.noise import with_interval
 from vitrail.metrics.radiance import mean_difference, patch_mean
 
@@ -45,7 +45,7 @@ class PatchLight:
         """The light of the brighter engine, mean of the channels."""
         return float(max(self.tracer.mean(), self.povray.mean()))
 
-    def difference(self, channel: int, level: float) -> Interval | None:
+    def difference(self, channel: int, level: float) -> StudentInterval | None:
         """The interval of tracer less POV-Ray; None where noise is not known."""
         known = self.differences[channel].interval
         return None if known is None else known.at_level(level)

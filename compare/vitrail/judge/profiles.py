@@ -10,7 +10,7 @@ from vitrail.images.display import luminance
 from vitrail.images.patch import PatchSamples
 from vitrail.judge.comparison import Curve, Profile
 from vitrail.judge.references import TrueProfile
-from vitrail.metrics.measurement import Axis, MetricError
+from vitrail.metrics.measurement import MetricError, PatchAxis
 from vitrail.metrics.profile import profile
 from vitrail.scene.model import Observation
 
@@ -23,7 +23,7 @@ def profiles_of(
     observation: Observation, samples: Mapping[str, PatchSamples], truth: TrueProfile | None
 ) -> tuple[Profile, ...]:
     """Luminance along the observation's direction, or along both where it has none; none where the patch is cut off."""
-    axes: tuple[Axis, ...] = ("u", "v") if observation.along is None else (observation.along,)
+    axes: tuple[PatchAxis, ...] = ("u", "v") if observation.along is None else (observation.along,)
     first = next(iter(samples.values()))
     cells = {"u": first.u_m.size, "v": first.v_m.size}
     try:
@@ -32,7 +32,7 @@ def profiles_of(
         return ()
 
 
-def _profile(axis: Axis, samples: Mapping[str, PatchSamples], truth: TrueProfile | None) -> Profile:
+def _profile(axis: PatchAxis, samples: Mapping[str, PatchSamples], truth: TrueProfile | None) -> Profile:
     """One curve a side. The sides share one grid, and a formula is read at its positions."""
     positions = next(iter(samples.values())).u_m if axis == "u" else next(iter(samples.values())).v_m
     curves = [_curve(axis, side, sample) for side, sample in samples.items()]
@@ -44,7 +44,7 @@ def _profile(axis: Axis, samples: Mapping[str, PatchSamples], truth: TrueProfile
     )
 
 
-def _curve(axis: Axis, side: str, sample: PatchSamples) -> Curve:
+def _curve(axis: PatchAxis, side: str, sample: PatchSamples) -> Curve:
     _, values = profile(sample.values, sample, axis)
     error: tuple[float, ...] = ()
     if sample.noise is not None:

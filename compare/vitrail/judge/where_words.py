@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from vitrail.base.phenomenon import Phenomenon
-from vitrail.judge.comparison import AblationEntry, LayerShare, Outcome
+from vitrail.judge.comparison import AblationEntry, AblationOutcome, LayerShare
 from vitrail.judge.patch_light import is_too_weak
 
 BENEATH = "what is beneath all of it (light, surfaces, camera, units)"
@@ -19,7 +19,10 @@ def sentence(
     required: frozenset[Phenomenon],
 ) -> str:
     """The suspects and why, then what told nothing and what was not tried."""
-    told = [_clause(entries, outcome, verb) for outcome, verb in ((Outcome.GOES, "goes"), (Outcome.STAYS, "stays"))]
+    told = [
+        _clause(entries, outcome, verb)
+        for outcome, verb in ((AblationOutcome.GOES, "goes"), (AblationOutcome.STAYS, "stays"))
+    ]
     why = ", and ".join(clause for clause in told if clause)
     if not why:
         why = "the scene requires nothing else" if required <= {Phenomenon.DIFFUSION} else "nothing was told apart"
@@ -28,9 +31,9 @@ def sentence(
     parts += [
         f"{_name(each.layer)} acts on {100 * each.acts_on:.2g} % of the light, which is too little" for each in weak
     ]
-    unclear = [each for each in entries if each.outcome is Outcome.UNCLEAR]
+    unclear = [each for each in entries if each.outcome is AblationOutcome.UNCLEAR]
     parts += [f"when {each.words} it is unclear ({each.reason})" for each in unclear]
-    missing = [each for each in entries if each.outcome is Outcome.NOT_RENDERED]
+    missing = [each for each in entries if each.outcome is AblationOutcome.NOT_RENDERED]
     if missing:
         parts.append(f"not tried: {', '.join(each.off for each in missing)} ({missing[0].reason})")
     return "; ".join(parts)
@@ -46,7 +49,7 @@ def _names(suspects: Sequence[Phenomenon]) -> str:
     return f"in {', '.join(names[:-1])} or {names[-1]}, which were not told apart"
 
 
-def _clause(entries: Sequence[AblationEntry], outcome: Outcome, verb: str) -> str:
+def _clause(entries: Sequence[AblationEntry], outcome: AblationOutcome, verb: str) -> str:
     found = [each.words for each in entries if each.outcome is outcome]
     return f"it {verb} when {' and when '.join(found)}" if found else ""
 

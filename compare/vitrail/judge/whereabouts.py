@@ -16,11 +16,11 @@ from dataclasses import dataclass
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.judge.comparison import (
     AblationEntry,
+    AblationOutcome,
     Comparison,
     Interval,
     LayerShare,
     ObservationResult,
-    Outcome,
     Pair,
     Verdict,
     Whereabouts,
@@ -94,11 +94,11 @@ def _suspects(
     left = every
     for entry in entries:
         match entry.outcome:
-            case Outcome.GOES:
+            case AblationOutcome.GOES:
                 left &= frozenset(entry.touched)
-            case Outcome.STAYS:
+            case AblationOutcome.STAYS:
                 left -= frozenset(entry.absent)
-            case Outcome.UNCLEAR | Outcome.NOT_RENDERED:
+            case AblationOutcome.UNCLEAR | AblationOutcome.NOT_RENDERED:
                 pass
     strong = left - {each.layer for each in layers if is_too_weak(each)}
     return strong or left
@@ -111,7 +111,7 @@ def _entry(
     base = AblationEntry(
         off=switched.off,
         words=switched.words,
-        outcome=Outcome.NOT_RENDERED,
+        outcome=AblationOutcome.NOT_RENDERED,
         reason=switched.reason,
         absent=tuple(each for each in Phenomenon if each in switched.absent),
         touched=tuple(each for each in Phenomenon if each in switched.touched),
@@ -125,16 +125,16 @@ def _entry(
         found = base.model_copy(update=_by_numbers(measured))
         # With the observed phenomenon off, its numbers may be of nothing; its light or the furthest still tell.
         for fewer in (of_light, measured[:1]) if switched.off == observed.value else ():
-            if fewer and found.outcome is Outcome.UNCLEAR:
+            if fewer and found.outcome is AblationOutcome.UNCLEAR:
                 found = base.model_copy(update=_by_numbers(fewer))
     elif switched.off == observed.value and after and all(e.verdict is Verdict.AGREES for e in after.values()):
         reason = "there is nothing left of it to measure, and all that can still be measured agrees"
-        found = base.model_copy(update={"outcome": Outcome.GOES, "reason": reason})
+        found = base.model_copy(update={"outcome": AblationOutcome.GOES, "reason": reason})
     else:
         found = base.model_copy(update=_by_light(light, switched.light, level))
     is_dark = switched.light.brightest < DARK * light.brightest
-    if found.outcome is Outcome.GOES and is_dark and not switched.darkens:
-        return found.model_copy(update={"outcome": Outcome.UNCLEAR, "reason": "the patch is dark then"})
+    if found.outcome is AblationOutcome.GOES and is_dark and not switched.darkens:
+        return found.model_copy(update={"outcome": AblationOutcome.UNCLEAR, "reason": "the patch is dark then"})
     return found
 
 
@@ -153,7 +153,7 @@ def _by_light(before: PatchLight, after: PatchLight, level: float) -> dict[str, 
     known, new = before.difference(channel, level), after.difference(channel, level)
     if known is None or new is None or known.low <= 0 <= known.high:
         reason = "nothing that deviated can be measured then, and the mean light did not deviate"
-        return {"outcome": Outcome.UNCLEAR, "reason": reason}
+        return {"outcome": AblationOutcome.UNCLEAR, "reason": reason}
     old = float(before.tracer[channel] - before.povray[channel])
     interval = Interval(low=new.low, high=new.high, level=level, method=new.method)
     outcome, reason = _outcome(old, interval, stays=True, goes=True)
@@ -162,11 +162,11 @@ def _by_light(before: PatchLight, after: PatchLight, level: float) -> dict[str, 
     return {**numbers, "after": after_difference, "interval": interval, "outcome": outcome, "reason": reason}
 
 
-def _outcome(old: float, new: Interval, *, stays: bool, goes: bool) -> tuple[Outcome, str]:
+def _outcome(old: float, new: Interval, *, stays: bool, goes: bool) -> tuple[AblationOutcome, str]:
     """Where the whole interval lies against half of what the difference was, and on which side."""
     shares = sorted((new.low / old, new.high / old))
     if goes and max(abs(share) for share in shares) <= HALF:
-        return Outcome.GOES, ""
+        return AblationOutcome.GOES, ""
     if stays and shares[0] >= HALF:
-        return Outcome.STAYS, ""
-    return Outcome.UNCLEAR, "what is left is neither none of it nor all of it"
+        return AblationOutcome.STAYS, ""
+    return AblationOutcome.UNCLEAR, "what is left is neither none of it nor all of it"

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace
-from typing import Protocol
 
+from vitrail.base.phenomenon import Phenomenon
 from vitrail.images.patch import PatchSamples
 from vitrail.metrics.absorption import absorption_fit, optical_depth
 from vitrail.metrics.caustic import (
@@ -21,7 +21,7 @@ from vitrail.metrics.dispersion import colour_order, spectrum_places, spectrum_s
 from vitrail.metrics.displacement import displacement, edge_place
 from vitrail.metrics.energy import furnace_deviation
 from vitrail.metrics.indirect import indirect_light
-from vitrail.metrics.measurement import Axis, Context, Measurement, MetricError
+from vitrail.metrics.measurement import Context, Measurement, MetricError
 from vitrail.metrics.noise import with_interval
 from vitrail.metrics.radiance import mean_radiance
 from vitrail.metrics.roughness import blur, contrast
@@ -33,14 +33,14 @@ PatchMetric = Callable[[PatchSamples, PatchSamples | None, Context], list[Measur
 PICTURE: tuple[PatchMetric, ...] = (mean_radiance, displacement, edge_place, furnace_deviation)
 """What is seen through or in a face: how bright, and how far moved."""
 
-BY_PHENOMENON: Mapping[str, tuple[PatchMetric, ...]] = {
-    "diffusion": (mean_radiance, evenness, furnace_deviation),
-    "reflection": PICTURE,
-    "refraction": PICTURE,
-    "total_internal_reflection": PICTURE,
-    "coloured_transmission": (mean_radiance, transmittance, chromaticity_shift, colour_difference),
-    "absorption": (mean_radiance, optical_depth, absorption_fit),
-    "caustic": (
+BY_PHENOMENON: Mapping[Phenomenon, tuple[PatchMetric, ...]] = {
+    Phenomenon.DIFFUSION: (mean_radiance, evenness, furnace_deviation),
+    Phenomenon.REFLECTION: PICTURE,
+    Phenomenon.REFRACTION: PICTURE,
+    Phenomenon.TOTAL_INTERNAL_REFLECTION: PICTURE,
+    Phenomenon.COLOURED_TRANSMISSION: (mean_radiance, transmittance, chromaticity_shift, colour_difference),
+    Phenomenon.ABSORPTION: (mean_radiance, optical_depth, absorption_fit),
+    Phenomenon.CAUSTIC: (
         caustic_flux,
         caustic_centroid,
         caustic_radii,
@@ -48,45 +48,35 @@ BY_PHENOMENON: Mapping[str, tuple[PatchMetric, ...]] = {
         caustic_area,
         profile_correlation,
     ),
-    "roughness": (mean_radiance, blur, contrast),
-    "dispersion": (caustic_flux, spectrum_places, spectrum_spread, colour_order),
-    "shadow": (mean_radiance, penumbra),
-    "indirect_light": (mean_radiance, indirect_light),
+    Phenomenon.ROUGHNESS: (mean_radiance, blur, contrast),
+    Phenomenon.DISPERSION: (caustic_flux, spectrum_places, spectrum_spread, colour_order),
+    Phenomenon.SHADOW: (mean_radiance, penumbra),
+    Phenomenon.INDIRECT_LIGHT: (mean_radiance, indirect_light),
 }
 
 
-class Observed(Protocol):
-    """What is asked of an observation of the scene: its phenomenon and, if it has one, its direction."""
-
-    @property
-    def phenomenon(self) -> str: ...
-    @property
-    def along(self) -> Axis | None: ...
-
-
 def measure(
-    observation: Observed, candidate: PatchSamples, reference: PatchSamples | None, context: Context
+    phenomenon: Phenomenon, candidate: PatchSamples, reference: PatchSamples | None, context: Context
 ) -> list[Measurement]:
-    """Everything the phenomenon of ``observation`` asks of the samples.
+    """Everything the phenomenon asks of the samples.
 
     Without a reference: absolute quantities of ``candidate``. With one: comparisons, each with its ideal. What one
     metric cannot answer is a caveat on the others; raises MetricError when none can.
     """
-    known = context if observation.along is None else replace(context, along=observation.along)
     found: list[Measurement] = []
     silent: list[str] = []
-    for metric in BY_PHENOMENON[observation.phenomenon]:
+    for metric in BY_PHENOMENON[phenomenon]:
         try:
-            found += metric(candidate, reference, known)
+            found += metric(candidate, reference, context)
         except MetricError as reason:
             silent.append(f"{metric.__name__}: {reason}")
     if not found:
-        raise MetricError("; ".join(silent) or f"nothing to measure for {observation.phenomenon}")
+        raise MetricError("; ".join(silent) or f"nothing to measure for {phenomenon}")
     return [replace(m, caveats=(*m.caveats, *silent)) for m in found]
 
 
 def measure_with_intervals(
-    observation: Observed,
+    phenomenon: Phenomenon,
     candidate: PatchSamples,
     reference: PatchSamples | None,
     context: Context,
@@ -96,6 +86,6 @@ def measure_with_intervals(
     """As ``measure``, each number with its interval at ``level`` and, for comparisons, its A/A floor."""
 
     def everything(ours: PatchSamples, theirs: PatchSamples | None, known: Context) -> list[Measurement]:
-        return measure(observation, ours, theirs, known)
+        return measure(phenomenon, ours, theirs, known)
 
     return with_interval(everything, candidate, reference, context, level=level)

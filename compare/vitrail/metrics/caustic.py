@@ -9,8 +9,8 @@ import numpy as np
 
 from vitrail.images.patch import PatchSamples
 from vitrail.metrics.encircled import encircled, ring_weights, room_about
-from vitrail.metrics.measurement import Axis, Context, Measurement, MetricError, per_channel
-from vitrail.metrics.profile import Light, light_of, profile
+from vitrail.metrics.measurement import Context, Measurement, MetricError, PatchAxis, per_channel
+from vitrail.metrics.profile import PhenomenonLight, light_of, profile
 from vitrail.metrics.radiance import channel_ratios
 
 FLUX = "W sr^-1"
@@ -158,7 +158,7 @@ FLAT_IN_NOISE = 3.0
 """A profile that varies by less than this many times its own noise has no shape of its own."""
 
 
-def _is_flat(shape: np.ndarray, samples: PatchSamples, axis: Axis) -> bool:
+def _is_flat(shape: np.ndarray, samples: PatchSamples, axis: PatchAxis) -> bool:
     """Whether a profile varies by no more than its noise does; never without half images."""
     if samples.noise is None:
         return False
@@ -166,7 +166,7 @@ def _is_flat(shape: np.ndarray, samples: PatchSamples, axis: Axis) -> bool:
     return bool(np.std(shape) <= FLAT_IN_NOISE * np.std(noise))
 
 
-def centroid(light: Light, samples: PatchSamples, context: Context) -> tuple[float, float]:
+def centroid(light: PhenomenonLight, samples: PatchSamples, context: Context) -> tuple[float, float]:
     """(u, v) of the centre of flux, metres from the patch centre. Raises MetricError when there is no flux."""
     grey = _counted(light, samples, context).mean(axis=-1)
     total = grey.sum()
@@ -175,12 +175,12 @@ def centroid(light: Light, samples: PatchSamples, context: Context) -> tuple[flo
     return float((grey.sum(axis=0) * samples.u_m).sum() / total), float((grey.sum(axis=1) * samples.v_m).sum() / total)
 
 
-def _flux(light: Light, samples: PatchSamples, context: Context) -> np.ndarray:
+def _flux(light: PhenomenonLight, samples: PatchSamples, context: Context) -> np.ndarray:
     """Radiance times area per channel (3,), W/sr."""
     return _counted(light, samples, context).sum(axis=(0, 1)) * samples.cell_area_m2
 
 
-def _counted(light: Light, samples: PatchSamples, context: Context) -> np.ndarray:
+def _counted(light: PhenomenonLight, samples: PatchSamples, context: Context) -> np.ndarray:
     """The light (nv, nu, 3) times the share of each cell that is in the frame and within the outer radius."""
     seen = light.values * samples.coverage[..., None]
     if context.outer_radius_m is None:
@@ -191,12 +191,12 @@ def _counted(light: Light, samples: PatchSamples, context: Context) -> np.ndarra
     return seen * (area.reshape(samples.coverage.shape) / samples.cell_area_m2)[..., None]
 
 
-def _centre(light: Light, samples: PatchSamples, context: Context) -> tuple[float, float]:
+def _centre(light: PhenomenonLight, samples: PatchSamples, context: Context) -> tuple[float, float]:
     return context.centre_m if context.centre_m is not None else centroid(light, samples, context)
 
 
 def _ring_means(
-    light: Light, samples: PatchSamples, centre: tuple[float, float], edges: tuple[float, ...]
+    light: PhenomenonLight, samples: PatchSamples, centre: tuple[float, float], edges: tuple[float, ...]
 ) -> list[float]:
     weights = ring_weights(samples, centre, edges)
     area = np.asarray(weights.sum(axis=1)).ravel()
@@ -205,6 +205,6 @@ def _ring_means(
     return [float(x) for x in (weights @ light.values.mean(axis=-1).ravel()) / area]
 
 
-def _area(light: Light, samples: PatchSamples, context: Context, threshold: float) -> float:
+def _area(light: PhenomenonLight, samples: PatchSamples, context: Context, threshold: float) -> float:
     height = (_counted(light, samples, context).mean(axis=-1) / threshold - 0.9) / 0.2
     return float(np.clip(height, 0, 1).sum() * samples.cell_area_m2)

@@ -9,7 +9,7 @@ from skimage.registration import phase_cross_correlation
 
 from vitrail.images.patch import PatchSamples
 from vitrail.metrics.edge import fit_edge
-from vitrail.metrics.measurement import Axis, Context, Measurement, MetricError
+from vitrail.metrics.measurement import Context, Measurement, MetricError, PatchAxis
 from vitrail.metrics.profile import cell_m, profile
 
 SMOOTHING_CELLS = 1.0
@@ -41,7 +41,7 @@ def displacement(candidate: PatchSamples, reference: PatchSamples | None, contex
     method = "least squares of a cubic-spline shift with gain and offset, started by phase correlation"
     settings = {"method": method, "smoothing_cells": SMOOTHING_CELLS}
     found = []
-    axes: tuple[tuple[Axis, int], ...] = (("u", 1), ("v", 0))
+    axes: tuple[tuple[PatchAxis, int], ...] = (("u", 1), ("v", 0))
     for axis, index in axes:
         if usable[index]:
             cell = cell_m(candidate, axis)

@@ -6,7 +6,7 @@ import numpy as np
 
 from vitrail.images.patch import PatchSamples
 from vitrail.metrics.measurement import Context, Measurement, MetricError, per_channel
-from vitrail.metrics.profile import Light, light_of
+from vitrail.metrics.profile import PhenomenonLight, light_of
 from vitrail.metrics.radiance import RADIANCE, channel_ratios
 
 
@@ -28,6 +28,6 @@ def indirect_light(candidate: PatchSamples, reference: PatchSamples | None, cont
     return ratios
 
 
-def _mean(light: Light, samples: PatchSamples) -> np.ndarray:
+def _mean(light: PhenomenonLight, samples: PatchSamples) -> np.ndarray:
     weight = samples.coverage[..., None]
     return (light.values * weight).sum(axis=(0, 1)) / weight.sum()

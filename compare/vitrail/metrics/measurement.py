@@ -16,7 +16,7 @@ import numpy as np
 from scipy import stats
 
 CHANNELS = ("red", "green", "blue")
-Axis = Literal["u", "v"]
+PatchAxis = Literal["u", "v"]
 Triplet = tuple[float, float, float]
 
 
@@ -25,7 +25,7 @@ class MetricError(ValueError):
 
 
 @dataclass(frozen=True)
-class Interval:
+class StudentInterval:
     """The range that holds the true value with confidence ``level``, noise being the only cause of doubt.
 
     ``standard_error`` and ``degrees_of_freedom`` let a judge widen it to another level without measuring again.
@@ -39,14 +39,14 @@ class Interval:
     degrees_of_freedom: float
 
     @classmethod
-    def about(cls, value: float, standard_error: float, dof: float, level: float, method: str) -> Interval:
+    def about(cls, value: float, standard_error: float, dof: float, level: float, method: str) -> StudentInterval:
         """Student's t interval about ``value``; ``dof`` may be infinite."""
         reach = float(stats.t.ppf(0.5 + level / 2, dof)) * standard_error if standard_error > 0 else 0.0
         return cls(value - reach, value + reach, level, method, standard_error, dof)
 
-    def at_level(self, level: float) -> Interval:
+    def at_level(self, level: float) -> StudentInterval:
         middle = 0.5 * (self.low + self.high)
-        return Interval.about(middle, self.standard_error, self.degrees_of_freedom, level, self.method)
+        return StudentInterval.about(middle, self.standard_error, self.degrees_of_freedom, level, self.method)
 
 
 @dataclass(frozen=True)
@@ -65,7 +65,7 @@ class Measurement:
     settings: Mapping[str, Any] = field(default_factory=dict)
     parts: Mapping[str, Any] = field(default_factory=dict)
     caveats: tuple[str, ...] = ()
-    interval: Interval | None = None
+    interval: StudentInterval | None = None
     floor: float | None = None
 
     @property
@@ -93,7 +93,7 @@ class Context:
     ``correlation_m``: length over which noise is correlated (the gather radius); blocks are never smaller.
     """
 
-    along: Axis = "u"
+    along: PatchAxis = "u"
     background: np.ndarray | Triplet | None = None
     full_radiance: Triplet | None = None
     throw_m: float | None = None

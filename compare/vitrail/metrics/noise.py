@@ -14,7 +14,7 @@ from dataclasses import replace
 import numpy as np
 
 from vitrail.images.patch import PatchSamples
-from vitrail.metrics.measurement import Context, Interval, Measurement, MetricError
+from vitrail.metrics.measurement import Context, Measurement, MetricError, StudentInterval
 from vitrail.metrics.noise_model import NoiseModel, learn_noise
 
 PatchMetric = Callable[[PatchSamples, PatchSamples | None, Context], list[Measurement]]
@@ -104,11 +104,11 @@ def _redrawn(image: PatchSamples, model: NoiseModel | None, seed: tuple[int, int
     return image if model is None or not model.is_loud else image.disturbed(model.draw(seed))
 
 
-def _interval(value: float, standard_error: float | None, level: float) -> Interval | None:
+def _interval(value: float, standard_error: float | None, level: float) -> StudentInterval | None:
     if standard_error is None:
         return None
     degrees = MOST_DEGREES if standard_error > 0 else float("inf")
-    return Interval.about(value, standard_error, degrees, level, METHOD)
+    return StudentInterval.about(value, standard_error, degrees, level, METHOD)
 
 
 def _or_zero(image: PatchSamples) -> np.ndarray:

@@ -8,11 +8,11 @@ from typing import Any
 import numpy as np
 
 from vitrail.images.patch import PatchSamples
-from vitrail.metrics.measurement import Axis, Context, MetricError
+from vitrail.metrics.measurement import Context, MetricError, PatchAxis
 
 
 @dataclass(frozen=True)
-class Light:
+class PhenomenonLight:
     """Radiance that belongs to one phenomenon (nv, nu, 3), and where it was taken from.
 
     ``whole_over_light``: how many times larger the radiance is from which it was taken as a difference, in the channel
@@ -32,7 +32,7 @@ class Light:
 
 def light_of(
     phenomena: tuple[str, ...], candidate: PatchSamples, reference: PatchSamples | None, context: Context
-) -> tuple[Light, Light | None]:
+) -> tuple[PhenomenonLight, PhenomenonLight | None]:
     """The light of a phenomenon in each image, taken the same way from both.
 
     ``phenomena`` are layer names in order of preference; the first with any light on the patch counts. Taken from, in
@@ -43,7 +43,7 @@ def light_of(
     lit = [name for name in phenomena if any(np.any(image.layers.get(name, 0.0)) for image in images)]
     layer = (lit or phenomena)[0]
     if all(layer in image.layers for image in images):
-        found = [Light(image.layers[layer], f"layer {layer}") for image in images]
+        found = [PhenomenonLight(image.layers[layer], f"layer {layer}") for image in images]
     elif context.background is not None:
         background = np.broadcast_to(np.asarray(context.background, float), candidate.values.shape)
         source = "radiance less the known background"
@@ -56,19 +56,21 @@ def light_of(
         found = [_difference(image, background, source, (caveat,)) for image in images]
     else:
         caveat = f"no {layer} layer and no background known: all radiance on the patch counts"
-        found = [Light(image.values, "radiance", (caveat,)) for image in images]
+        found = [PhenomenonLight(image.values, "radiance", (caveat,)) for image in images]
     return found[0], found[1] if reference is not None else None
 
 
-def _difference(image: PatchSamples, background: np.ndarray, source: str, caveats: tuple[str, ...] = ()) -> Light:
+def _difference(
+    image: PatchSamples, background: np.ndarray, source: str, caveats: tuple[str, ...] = ()
+) -> PhenomenonLight:
     """The radiance less a background, and how much more it was before."""
     left = image.values - background
     whole, light = (np.abs(each.mean(axis=(0, 1))) for each in (image.values, left))
     ratio = float(np.max(whole[light > 0] / light[light > 0], initial=1.0))
-    return Light(left, source, caveats, ratio)
+    return PhenomenonLight(left, source, caveats, ratio)
 
 
-def profile(values: np.ndarray, samples: PatchSamples, along: Axis) -> tuple[np.ndarray, np.ndarray]:
+def profile(values: np.ndarray, samples: PatchSamples, along: PatchAxis) -> tuple[np.ndarray, np.ndarray]:
     """Positions (n,), metres from the patch centre, and mean radiance there (n, 3). Raises MetricError off frame."""
     across = 0 if along == "u" else 1
     weight = samples.coverage[..., None]
@@ -79,7 +81,7 @@ def profile(values: np.ndarray, samples: PatchSamples, along: Axis) -> tuple[np.
     return positions, (values * weight).sum(axis=across) / total
 
 
-def cell_m(samples: PatchSamples, along: Axis) -> float:
+def cell_m(samples: PatchSamples, along: PatchAxis) -> float:
     """The edge of a cell along one direction, metres."""
     return samples.cell_u_m if along == "u" else samples.cell_v_m
 

@@ -8,18 +8,18 @@ from vitrail.base.record import write_record
 from vitrail.base.whole_file import write_whole
 from vitrail.report.environment import text
 from vitrail.study.equal_runs import EqualRuns
-from vitrail.study.mutants.records import LimitNumber, Limits, Mutants
+from vitrail.study.mutants.records import DetectionLimits, LimitNumber, Mutants
 
 ALONE = {"ssim": "SSIM < 0.95", "flip": "FLIP > 0.05", "relmse": "relMSE > 0.01"}
 """What one number over the picture would have stopped a run at, in words."""
 
 
-def mutants_text(found: Mutants, limits: Limits, equal: EqualRuns) -> str:
+def mutants_text(found: Mutants, limits: DetectionLimits, equal: EqualRuns) -> str:
     """The page in Markdown."""
     return text("mutants.md", found=found, limits=limits, equal=equal, alone=ALONE, off_by=off_by)
 
 
-def limits_table(limits: Limits) -> str:
+def limits_table(limits: DetectionLimits) -> str:
     """The table of the smallest defects in Markdown: lengths in mm, shares in %."""
     return text("limits.md", limits=limits, off_by=off_by)
 
@@ -31,7 +31,7 @@ def off_by(number: LimitNumber) -> str:
     return f"{off:.2g} ± {noise:.2g} {unit}, {allowed:.2g} {unit}"
 
 
-def write_mutants_text(target: Path, found: Mutants, limits: Limits, equal: EqualRuns) -> Path:
+def write_mutants_text(target: Path, found: Mutants, limits: DetectionLimits, equal: EqualRuns) -> Path:
     """README.md and the three files of data in ``target``; returns the page."""
     write_record(found, target / "mutants.json")
     write_record(limits, target / "limits.json")

@@ -69,7 +69,7 @@ def quantity(value: float | None, unit: str, digits: int = 4) -> str:
 
 
 @dataclass(frozen=True)
-class Row:
+class NumberRow:
     """The numbers of one comparison in one unit, as they stand in the table."""
 
     unit: str
@@ -79,7 +79,7 @@ class Row:
     tolerance: str
 
 
-def row(comparison: Comparison) -> Row:
+def row(comparison: Comparison) -> NumberRow:
     """All lengths of a row share the prefix that suits the largest of them."""
     numbers = (comparison.value, comparison.ideal, comparison.difference, comparison.tolerance)
     scale, unit = 1.0, "" if comparison.unit in ("", "1") else raised(comparison.unit)
@@ -88,7 +88,9 @@ def row(comparison: Comparison) -> Row:
         unit = f"{prefix}m"
     # A difference to the digits of the tolerance: what is far below it is no finding.
     value, ideal = (number(each / scale) for each in numbers[:2])
-    return Row(unit, value, ideal, number(comparison.difference / scale, 3), number(comparison.tolerance / scale, 3))
+    return NumberRow(
+        unit, value, ideal, number(comparison.difference / scale, 3), number(comparison.tolerance / scale, 3)
+    )
 
 
 def prefix_for(size: float) -> tuple[float, str]:

@@ -16,7 +16,7 @@ from vitrail.base.whole_file import write_whole
 from vitrail.study.agreement import Agreement
 from vitrail.study.equal_runs import EqualRuns
 from vitrail.study.extremes.records import Atlas
-from vitrail.study.mutants.records import Limits, Mutants
+from vitrail.study.mutants.records import DetectionLimits, Mutants
 from vitrail.study.tradeoff.plan_records import Plans
 from vitrail.study.tradeoff.predictions import Predictions
 from vitrail.study.tradeoff.records import Tradeoff
@@ -25,7 +25,7 @@ RECORDS: Mapping[str, type[BaseModel]] = {
     "agreement": Agreement,
     "atlas": Atlas,
     "equal_runs": EqualRuns,
-    "limits": Limits,
+    "limits": DetectionLimits,
     "mutants": Mutants,
     "plans": Plans,
     "predictions": Predictions,

@@ -21,7 +21,7 @@ from vitrail.pipeline.scene_run import run_scene
 from vitrail.pipeline.suite import judge
 from vitrail.scene.load import load
 from vitrail.study.mutants import misreadings as misread
-from vitrail.study.mutants.records import LimitNumber, LimitRow, Limits
+from vitrail.study.mutants.records import DetectionLimits, LimitNumber, LimitRow
 
 SHARES = (0.0, 0.5, 1.0)
 """None of the defect, half of it, all of it."""
@@ -91,10 +91,10 @@ LIMITS = (
 
 def measure_limits(
     bench: Path, out: Path, *, limits: Sequence[Limit] = LIMITS, against: tuple[str, ...] = ("povray",)
-) -> Limits:
+) -> DetectionLimits:
     """Judge every limit at every share, each in a run of its own; write and return limits.json."""
     rows = tuple(_row(limit, share, bench, out, against) for limit in limits for share in SHARES)
-    found = Limits(rows=rows, kept=all(is_kept(row) for row in rows))
+    found = DetectionLimits(rows=rows, kept=all(is_kept(row) for row in rows))
     write_record(found, out / "limits.json")
     return found
 

@@ -6,7 +6,7 @@ from typing import Literal
 
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.base.record import Record
-from vitrail.judge.comparison import Outcome, Verdict
+from vitrail.judge.comparison import AblationOutcome, Verdict
 from vitrail.study.mutants.mutant import Place
 
 
@@ -36,7 +36,7 @@ class AblatedWitness(Record):
     """What ablation says of the witness: the suspects it leaves, and the outcome of everything switched off."""
 
     suspects: tuple[Phenomenon, ...]
-    ablations: dict[str, Outcome]
+    ablations: dict[str, AblationOutcome]
 
 
 class Alarm(Record):
@@ -70,7 +70,7 @@ class MutantEntry(Injection):
     def suspects(self) -> tuple[Phenomenon, ...]:
         return self.where.suspects if self.where else ()
 
-    def without(self, *outcomes: Outcome) -> tuple[str, ...]:
+    def without(self, *outcomes: AblationOutcome) -> tuple[str, ...]:
         """What was switched off with one of these outcomes."""
         return tuple(
             off for off, outcome in (self.where.ablations if self.where else {}).items() if outcome in outcomes
@@ -182,7 +182,7 @@ class LimitRow(Record):
     against: dict[str, LimitNumber]
 
 
-class Limits(Record):
+class DetectionLimits(Record):
     """``limits.json``; ``kept`` if each whole defect deviates, and no half of one agrees."""
 
     vitrail_limits: Literal[1] = 1
