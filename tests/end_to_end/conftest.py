@@ -12,8 +12,8 @@ from vitrail.engines.base import EngineFailure
 from vitrail.engines.povray import Povray
 from vitrail.engines.tracer import Tracer
 from vitrail.judge.records import Results
+from vitrail.pipeline.compare import compare
 from vitrail.pipeline.request import Request
-from vitrail.pipeline.suite import compare
 from vitrail.report.build import build_report
 
 ROOT = Path(__file__).parents[2]

@@ -14,8 +14,8 @@ from vitrail.judge.comparison import ObservationResult, Verdict
 from vitrail.judge.judgement import judge_observation
 from vitrail.judge.observe import Observed
 from vitrail.judge.records import Results, Status, read_results
+from vitrail.pipeline.compare import compare
 from vitrail.pipeline.request import Request
-from vitrail.pipeline.suite import compare
 from vitrail.scene.load import Loaded, load
 
 
@@ -60,7 +60,7 @@ def test_a_defect_in_judging_ends_its_scene_and_no_other(
             raise ZeroDivisionError
         return judge_observation(observed, *rest)
 
-    monkeypatch.setattr("vitrail.pipeline.suite.judge_observation", fail_once)
+    monkeypatch.setattr("vitrail.pipeline.judge.judge_observation", fail_once)
     results = run(tmp_path, scenes, FormulaEngine("tracer"))
     assert [scene.exit_code for scene in results.scenes] == [0, 70]
     assert "ZeroDivisionError" in (tmp_path / "out" / "other" / "traceback.txt").read_text()
@@ -72,7 +72,7 @@ def test_a_defect_in_the_search_for_where_takes_no_verdict(
     def fail(*arguments: Any) -> None:
         raise KeyError("gone")
 
-    monkeypatch.setattr("vitrail.pipeline.suite.search_whereabouts", fail)
+    monkeypatch.setattr("vitrail.pipeline.compare.search_whereabouts", fail)
     results = run(tmp_path, scenes[:1], FormulaEngine("tracer", radiance=0.55))
     (scene,) = results.scenes
     assert (scene.verdict, results.exit_code) == (Verdict.DEVIATES, 1)

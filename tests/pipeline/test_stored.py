@@ -16,8 +16,8 @@ from vitrail.judge.records import Results
 from vitrail.judge.reference_files import ReferencesError
 from vitrail.judge.stored import read_stored
 from vitrail.pipeline.accept import propose_from_run, propose_rendering
+from vitrail.pipeline.compare import compare
 from vitrail.pipeline.request import Request
-from vitrail.pipeline.suite import compare
 from vitrail.scene.load import Loaded, load
 from vitrail.scene.print import scene_hash
 

@@ -13,9 +13,11 @@ from vitrail.engines.base import EngineFailure
 from vitrail.judge.comparison import Pair, Verdict
 from vitrail.judge.records import Results, SceneResult, Status, read_results
 from vitrail.judge.reference_files import ReferencesError
-from vitrail.pipeline.render import check_photons
-from vitrail.pipeline.request import Defect, Request
-from vitrail.pipeline.suite import compare, scene_names
+from vitrail.pipeline.compare import compare
+from vitrail.pipeline.defect import Defect
+from vitrail.pipeline.request import Request
+from vitrail.pipeline.run_both import check_photons
+from vitrail.pipeline.suite import scene_names
 from vitrail.scene.load import Loaded, load
 
 RULES = """

@@ -50,8 +50,8 @@ def compare(
 ) -> None:
     """Load, plan, lower, render, measure, judge, report."""
     with exit_codes(), reference_errors():
+        from vitrail.pipeline.compare import compare as compare_scenes
         from vitrail.pipeline.request import Request
-        from vitrail.pipeline.suite import compare as compare_scenes
         from vitrail.report.build import build_report
 
         loaded = load_all(scenes)
@@ -68,8 +68,8 @@ def compare(
             defect=defect_named(inject_defect),
             command=("vitrail", *sys.argv[1:]),
         )
-        with watching(len(loaded)) as watch:
-            results = compare_scenes(loaded, request, watch)
+        with watching(len(loaded)) as show:
+            results = compare_scenes(loaded, request, show)
         page = build_report(out)
         print_in(Format.JSON if as_json else form, results, page, loaded)
     raise typer.Exit(results.exit_code)

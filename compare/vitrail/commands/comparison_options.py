@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -13,12 +13,11 @@ import typer
 from vitrail.commands.exit_code import usage_error
 
 if TYPE_CHECKING:
-    from vitrail.pipeline.request import Defect
+    from vitrail.base.progress import Progress
+    from vitrail.pipeline.defect import Defect
     from vitrail.plan.settings import Quality
     from vitrail.scene.diagnostic import Diagnostic
     from vitrail.scene.load import Loaded
-
-Watch = Callable[[str, str, float, float], None]
 
 
 def load_all(paths: Sequence[Path]) -> list[Loaded]:
@@ -63,8 +62,8 @@ def overrides_of(loaded: Sequence[Loaded], quality: Quality, assignments: Sequen
 
 def defect_named(name: str) -> Defect:
     """A known mistake by its name; the empty name is none."""
+    from vitrail.pipeline.defect import Defect
     from vitrail.pipeline.defects import DEFECTS
-    from vitrail.pipeline.request import Defect
 
     if name and name not in DEFECTS:
         raise usage_error(f"--inject-defect {name}: there is no such defect; the known ones are {', '.join(DEFECTS)}")
@@ -85,19 +84,19 @@ def reference_errors() -> Iterator[None]:
 
 
 @contextmanager
-def watching(scenes: int) -> Iterator[Watch]:
-    """A bar a scene on a terminal; plain lines, one a phase, where nobody can see a bar move."""
+def watching(scenes: int) -> Iterator[Progress]:
+    """A bar per scene and phase on a terminal; plain lines, one per phase, where nobody can see a bar move."""
     if sys.stderr.isatty():
         from vitrail.commands.progress_bar import progress_bar
 
         with progress_bar(f"{scenes} scenes" if scenes > 1 else "scene") as show:
-            yield lambda scene, phase, done, total: show(f"{scene} {phase}", done, total)
+            yield show
         return
-    seen: set[tuple[str, str]] = set()
+    seen: set[str] = set()
 
-    def say(scene: str, phase: str, done: float, total: float) -> None:
-        if (scene, phase) not in seen:
-            seen.add((scene, phase))
-            typer.echo(f"{scene}: {phase}", err=True)
+    def say(phase: str, done: float, total: float) -> None:
+        if phase not in seen:
+            seen.add(phase)
+            typer.echo(phase, err=True)
 
     yield say

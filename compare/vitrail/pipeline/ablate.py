@@ -1,7 +1,7 @@
 """Look for the whereabouts of a deviation: render the scene again with one thing after the other switched off.
 
-Only a scene in which the engines deviate from each other is looked at, with the settings of its last look, and only as
-far as its budget goes. A defect that is injected is injected into the ablated scene too.
+Only a scene in which the engines deviate from each other is ablated, with the settings of its last run, and only as far
+as its budget goes. A defect that is injected is injected into the ablated scene too.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from vitrail.base.phenomenon import Phenomenon
-from vitrail.base.progress import Progress
+from vitrail.base.progress import Progress, silent
 from vitrail.engines.base import EngineFailure
 from vitrail.geometry.world import World
 from vitrail.images.exr import ImageError, ImageLayers, read_image
@@ -25,9 +25,11 @@ from vitrail.judge.thresholds import Thresholds
 from vitrail.judge.whereabouts import Switched, whereabouts
 from vitrail.lower.povray import NothingToEdit, NotTranslatable
 from vitrail.metrics.measurement import MetricError
+from vitrail.pipeline.defect import Defect
 from vitrail.pipeline.job import Job, prepare
-from vitrail.pipeline.render import Lowered, lower_both, render_both
-from vitrail.pipeline.request import Defect, Request
+from vitrail.pipeline.lowered import Lowered, lower
+from vitrail.pipeline.request import Request
+from vitrail.pipeline.run_both import run_both
 from vitrail.plan.ablation import Ablation, ablations
 from vitrail.plan.analyse import analyse
 from vitrail.scene.load import Loaded
@@ -35,7 +37,7 @@ from vitrail.scene.model import Scene
 
 
 @dataclass(frozen=True)
-class AblatedLook:
+class AblatedScene:
     """The numbers of a scene with something off, by observation; none, with the reason, where it was not rendered."""
 
     ablation: Ablation
@@ -50,7 +52,7 @@ class AblatedLook:
 class Search:
     """What was tried for one scene. ``light`` is that of the scene itself, ``required`` what its plan requires."""
 
-    looks: tuple[AblatedLook, ...] = ()
+    ablated: tuple[AblatedScene, ...] = ()
     light: Mapping[str, PatchLight] = field(default_factory=dict)
     required: frozenset[Phenomenon] = frozenset()
 
@@ -83,13 +85,13 @@ def with_whereabouts(
 
 
 def _switched(entry: ObservationResult, search: Search, thresholds: Thresholds, level: float) -> list[Switched]:
-    """What every look at an ablated scene says of one observation, judged by the same rules."""
+    """What every ablated scene says of one observation, judged by the same rules."""
     found = []
-    for look in search.looks:
-        own, observed = look.ablation, look.observed.get(entry.name)
-        after = None if observed is None else judge_observation(observed, thresholds, look.residual, level)
-        light = look.light.get(entry.name)
-        found.append(Switched(own.name, own.words, own.absent, own.touched, own.darkens, after, light, look.reason))
+    for scene in search.ablated:
+        own, observed = scene.ablation, scene.observed.get(entry.name)
+        after = None if observed is None else judge_observation(observed, thresholds, scene.residual, level)
+        light = scene.light.get(entry.name)
+        found.append(Switched(own.name, own.words, own.absent, own.touched, own.darkens, after, light, scene.reason))
     return found
 
 
@@ -99,7 +101,7 @@ def search_whereabouts(
     record: SceneResult,
     request: Request,
     left_s: float,
-    progress: Progress,
+    progress: Progress = silent,
     *,
     everywhere: bool = False,
 ) -> Search:
@@ -109,7 +111,7 @@ def search_whereabouts(
     """
     world = World.of(loaded)
     scene, plan = world.scene, analyse(world)
-    request = _like_last_look(request, record)
+    request = _with_settings_of(record, request)
     wanted = {entry.name for entry in record.observations if everywhere or deviates_between_engines(entry)}
     known = read_scene_truth(references, loaded.path.stem, scene)
     # The same places are measured in the same way; what they should give by formula is another matter now.
@@ -118,20 +120,21 @@ def search_whereabouts(
     radius_m = float(record.settings.get("gather_radius_m") or 0.0)
     light = patch_lights(scene, own, truth, radius_m)
     price_s = sum(engine.cpu_s or 0.0 for engine in record.engines)
-    looks = []
+    ablated = []
     for ablation in ablations(world, plan):
         if price_s > left_s:
             reason = f"about {price_s:.2g} CPU s each, and {max(left_s, 0):.2g} are left; --budget-s bounds it"
-            looks.append(AblatedLook(ablation, {}, {}, reason=reason))
+            ablated.append(AblatedScene(ablation, {}, {}, reason=reason))
             continue
-        look = _look(loaded, ablation, truth, wanted, request, request.out / record.name / "ablated", progress)
-        left_s -= look.cpu_s
-        looks.append(look)
+        place = request.out / record.name / "ablated"
+        tried = _ablated(loaded, ablation, truth, wanted, request, place, progress)
+        left_s -= tried.cpu_s
+        ablated.append(tried)
     required = frozenset(phenomenon for phenomenon in Phenomenon if plan.requires(phenomenon))
-    return Search(tuple(looks), light, required)
+    return Search(tuple(ablated), light, required)
 
 
-def _look(
+def _ablated(
     loaded: Loaded,
     ablation: Ablation,
     truth: SceneTruth,
@@ -139,36 +142,34 @@ def _look(
     request: Request,
     place: Path,
     progress: Progress,
-) -> AblatedLook:
+) -> AblatedScene:
     """Render and measure one ablated scene; what goes wrong is said and ends nothing."""
     scene = _observing(ablation.scene, wanted)
     job = prepare(replace(loaded, scene=scene), request.quality, request.overrides)
     folder = place / ablation.name.replace(" ", "_")
     try:
         lowered = _lowered(job, request)
-        made = render_both(lowered, folder, request, progress)
-        if any(rendering.interrupted for rendering in made.values()):
-            raise KeyboardInterrupt
+        made = run_both(lowered, folder, request, progress)
         cpu_s = sum(rendering.record.get("cpu_s", {}).get("total") or 0.0 for rendering in made.values())
         images = {side: read_image(rendering.image_path) for side, rendering in made.items()}
         observed = _observed(scene, images, truth, job.settings.gather_radius_m)
         light = patch_lights(scene, images, truth, job.settings.gather_radius_m)
     except (NotTranslatable, EngineFailure, ImageError, NothingToMeasure, MetricError) as error:
         # The first clause says what went wrong; remedies are for a scene that somebody wrote.
-        return AblatedLook(ablation, {}, {}, reason=" ".join(str(error).split()).split(";")[0])
-    return AblatedLook(ablation, observed, light, lowered.certificate.bound, cpu_s)
+        return AblatedScene(ablation, {}, {}, reason=" ".join(str(error).split()).split(";")[0])
+    return AblatedScene(ablation, observed, light, lowered.certificate.bound, cpu_s)
 
 
 def _lowered(job: Job, request: Request) -> Lowered:
     """An ablated scene for both engines; a defect whose nodes the ablation took away has gone with them."""
     try:
-        return lower_both(job, request)
+        return lower(job, request)
     except NothingToEdit:
         harmless = replace(request.defect, povray=Defect().povray)
-        return lower_both(job, replace(request, defect=harmless))
+        return lower(job, replace(request, defect=harmless))
 
 
-def _like_last_look(request: Request, record: SceneResult) -> Request:
+def _with_settings_of(record: SceneResult, request: Request) -> Request:
     """As many samples and photons as the scene had, and nothing but the two engines against each other."""
     same = {key: record.settings[key] for key in ("samples", "photons", "seed") if record.settings.get(key)}
     return replace(request, overrides={**same, **request.overrides}, against=("povray",))

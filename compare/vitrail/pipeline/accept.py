@@ -18,9 +18,9 @@ from vitrail.judge.observe import Observed, observe
 from vitrail.judge.reference_files import ReferencesError
 from vitrail.judge.references import SceneTruth
 from vitrail.judge.stored import Provenance, Stored, read_provenance, read_stored, stored_content, write_stored
+from vitrail.pipeline.gated_images import inspect
 from vitrail.pipeline.job import prepare
 from vitrail.pipeline.run import run
-from vitrail.pipeline.scene_run import inspect
 from vitrail.plan.settings import Quality
 from vitrail.scene.load import Loaded
 from vitrail.scene.print import scene_hash

@@ -16,7 +16,8 @@ from vitrail.judge.comparison import Verdict
 from vitrail.judge.records import Gate, Results, Status
 from vitrail.judge.reference_files import ReferencesError
 from vitrail.judge.thresholds import own_references
-from vitrail.pipeline.scene_run import SceneRun, ended
+from vitrail.pipeline.scene_record import ended
+from vitrail.pipeline.scene_run import SceneRun
 from vitrail.scene.load import Loaded, load
 from vitrail.scene.print import scene_hash
 

@@ -14,7 +14,7 @@ from dataclasses import replace
 from vitrail.lower.povray import PovrayRun, PovrayScene
 from vitrail.lower.povray.text.edit import Edit, NothingToEdit, blocks, coloured, edited, found, statements, values_of
 from vitrail.lower.povray.text.sdl import Block, Colour, Part, SdlFile, Statement, statement
-from vitrail.pipeline.request import Defect
+from vitrail.pipeline.defect import Defect
 
 Change = Callable[[PovrayScene], PovrayScene]
 """A mistake in a translated scene; raises NothingToEdit."""

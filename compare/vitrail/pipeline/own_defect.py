@@ -4,15 +4,19 @@ from __future__ import annotations
 
 import errno
 import traceback
+from collections.abc import Callable
+from typing import TypeVar
 
 from vitrail.images.exr import ImageError
 from vitrail.judge.records import SceneResult, Status
 from vitrail.judge.reference_files import ReferencesError
 from vitrail.judge.thresholds import ThresholdError
 from vitrail.pipeline.request import Request
-from vitrail.pipeline.scene_run import ended, unjudged
+from vitrail.pipeline.scene_record import ended, record_of_scene, reproduce
+from vitrail.pipeline.scene_run import SceneTask
 from vitrail.scene.diagnostic import SceneErrors
-from vitrail.scene.load import Loaded
+
+T = TypeVar("T")
 
 TRACEBACK = "traceback.txt"
 """The file beside a scene's results that says where the program failed."""
@@ -26,11 +30,22 @@ def is_own_defect(error: Exception) -> bool:
     return not isinstance(error, SceneErrors | ReferencesError | ThresholdError | ImageError)
 
 
-def defective(loaded: Loaded, name: str, request: Request, error: Exception) -> SceneResult:
+def if_own_defect(work: Callable[[], T], instead: Callable[[Exception], T]) -> T:
+    """What ``work`` gives, or where this program itself is at fault what ``instead`` makes of the error."""
+    try:
+        return work()
+    except Exception as error:
+        if not is_own_defect(error):
+            raise
+        return instead(error)
+
+
+def defective(task: SceneTask, error: Exception) -> SceneResult:
     """The record of a scene that met ``error``, whose traceback is written beside its results. Raises OSError."""
-    place = keep_traceback(name, request, error)
+    place = keep_traceback(task.name, task.request, error)
     message = f"{_told(error)}; its traceback is in {place}, report it with the scene"
-    return ended(unjudged(loaded, name, request), Status.DEFECT, message)
+    again = reproduce(task.loaded.path, task.request.quality, task.request)
+    return ended(record_of_scene(task.loaded, task.name, again), Status.DEFECT, message)
 
 
 def unsearched(record: SceneResult, request: Request, error: Exception) -> str:

@@ -1,37 +1,19 @@
-"""What a comparison is asked to do, and the one way to tamper with it on purpose."""
+"""What a comparison is asked to do."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
 
 from vitrail.engines.base import Engine
 from vitrail.engines.povray import Povray
 from vitrail.engines.tracer import Tracer
-from vitrail.lower.povray import PovrayScene
+from vitrail.pipeline.defect import Defect
 from vitrail.plan.settings import Quality
-from vitrail.scene.model import Scene
 
 BUDGET_S = 60.0
 """CPU seconds that one scene may cost beyond its first look: a minute is what a person waits for an answer."""
-
-
-@dataclass(frozen=True)
-class Defect:
-    """A known mistake put between lowering and rendering, to see which phenomenon turns red. Empty: none.
-
-    ``povray`` changes the translated scene (its text, its gains), ``tracer`` the lowered scene; ``misread_by_povray``
-    and ``misread_by_tracer`` change the scene that one back end reads, as a lowering that misunderstands it would. A
-    change of nodes raises NothingToEdit where the translated scene has none of them.
-    """
-
-    name: str = ""
-    misread_by_povray: Callable[[Scene], Scene] = field(default=lambda scene: scene)
-    misread_by_tracer: Callable[[Scene], Scene] = field(default=lambda scene: scene)
-    povray: Callable[[PovrayScene], PovrayScene] = field(default=lambda scene: scene)
-    tracer: Callable[[dict[str, Any]], dict[str, Any]] = field(default=lambda lowered: lowered)
 
 
 @dataclass(frozen=True)

@@ -9,13 +9,12 @@ from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
 
-from vitrail.geometry.world import World
 from vitrail.images.exr import ImageLayers, read_image
 from vitrail.judge.comparison import Pair
 from vitrail.judge.gates import check_gates, gate_same_exposure
 from vitrail.judge.observe import NothingToMeasure, observe
 from vitrail.judge.pictures import write_pictures
-from vitrail.judge.records import EngineRun, Results, SceneResult, Status, write_results
+from vitrail.judge.records import EngineRun, Results, Status, write_results
 from vitrail.judge.references import read_scene_truth, references_folder
 from vitrail.judge.thresholds import own_references
 from vitrail.judge.whole_image import global_metrics
@@ -27,12 +26,13 @@ from vitrail.pipeline.conformance import (
     proof_images,
     why_unproven,
 )
-from vitrail.pipeline.evidence import plan_records
-from vitrail.pipeline.scene_run import SceneRun, ended, inspect
-from vitrail.pipeline.suite import judge
-from vitrail.plan.analyse import analyse
+from vitrail.pipeline.gated_images import inspect
+from vitrail.pipeline.job import prepare
+from vitrail.pipeline.judge import judge
+from vitrail.pipeline.record_parts import plan_records
+from vitrail.pipeline.scene_record import ended, record_of_scene
+from vitrail.pipeline.scene_run import SceneRun
 from vitrail.scene.load import Loaded
-from vitrail.scene.print import scene_hash
 
 REMEDY = "render scenes/conformance/*.yaml with it and give --conformance FOLDER, or say --unproven"
 NOTHING_KNOWN = "there is nothing to hold the image against: no closed form is known here; give a REFERENCE.exr"
@@ -58,13 +58,13 @@ def score(
     proofs = [] if conformance is None else _proofs(conformance, out)
     options = ["--conformance", str(conformance)] if conformance else [] if needs_proof else ["--unproven"]
     run = _measured(loaded, images, files, out, references, options)
-    doubt = why_unproven(loaded, images)
+    unproven = why_unproven(loaded, images)
     if proofs:
         run = behind_gate(run, failure_of(judge(proofs, about_run(()))))
-    elif doubt and needs_proof:
-        run = behind_gate(run, f"{doubt}; {REMEDY}")
-    elif doubt:
-        run = replace(run, record=run.record.model_copy(update={"warnings": (*run.record.warnings, doubt)}))
+    elif unproven and needs_proof:
+        run = behind_gate(run, f"{unproven}; {REMEDY}")
+    elif unproven:
+        run = replace(run, record=run.record.model_copy(update={"warnings": (*run.record.warnings, unproven)}))
     results = judge([*proofs, run], about_run(command))
     out.mkdir(parents=True, exist_ok=True)
     write_results(results, out / "results.json")
@@ -90,20 +90,10 @@ def _measured(
 ) -> SceneRun:
     """Gates first; then pictures, whole-image numbers and observations."""
     scene, name = loaded.scene, loaded.path.stem
-    record = SceneResult(
-        name=name,
-        title=scene.title,
-        source=str(loaded.path),
-        scene_hash=scene_hash(scene),
-        status=Status.JUDGED,
-        width=scene.image.width,
-        height=scene.image.height,
-        exposure_stops=scene.image.exposure_stops,
-        plan=plan_records(analyse(World.of_scene(scene))),
-        engines=tuple(_maker(side, image) for side, image in images.items()),
-        reproduce=" ".join(["vitrail score", str(loaded.path), *map(str, files.values()), *options, "--out out"]),
-        exit_code=0,
-    )
+    again = " ".join(["vitrail score", str(loaded.path), *map(str, files.values()), *options, "--out out"])
+    makers = tuple(_maker(side, image) for side, image in images.items())
+    record = record_of_scene(loaded, name, again)
+    record = record.model_copy(update={"plan": plan_records(prepare(loaded).plan), "engines": makers})
     inspected = [inspect(side, image, str(files[side])) for side, image in images.items()]
     gates = check_gates(record.width, record.height, record.scene_hash, inspected)
     gates += tuple(gate_same_exposure(*pair) for pair in pairwise(inspected))

@@ -1,86 +1,106 @@
-"""Many scenes: each through both engines, then all judged together at one false-alarm rate."""
+"""The scenes of one comparison: what each has come to so far, and what its budget has left."""
 
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
-from dataclasses import replace
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-from vitrail.base.progress import Progress
-from vitrail.judge.exit_code import INTERRUPTED, of_run, of_scene
-from vitrail.judge.false_alarms import SUITE_FALSE_ALARM_RATE, sidak
-from vitrail.judge.judgement import judge_observation
-from vitrail.judge.records import Results, Run, SceneResult, Status, write_results
+from vitrail.judge.records import Results, Run, SceneResult, write_results
 from vitrail.judge.references import read_scene_truth, references_folder
 from vitrail.judge.stored import read_stored
 from vitrail.judge.thresholds import Thresholds, thresholds_of
-from vitrail.judge.verdict import overall
-from vitrail.pipeline.ablate import deviates_between_engines, search_whereabouts, with_whereabouts
+from vitrail.pipeline.ablate import deviates_between_engines
 from vitrail.pipeline.about_run import about_run
+from vitrail.pipeline.judge import judge, judge_scene
 from vitrail.pipeline.more_samples import more, offer
-from vitrail.pipeline.own_defect import TRACEBACK, defective, is_own_defect, unsearched
+from vitrail.pipeline.own_defect import defective, if_own_defect
 from vitrail.pipeline.request import Request
-from vitrail.pipeline.scene_run import SceneRun, run_scene
+from vitrail.pipeline.scene_run import SceneRun, SceneTask
 from vitrail.scene.load import Loaded
 from vitrail.scene.print import scene_hash
 
-Watch = Callable[[str, str, float, float], None]
-"""Called with the scene, the phase, the work done and the work in all."""
 
+@dataclass
+class Suite:
+    """``scenes`` by name, in their order; ``runs`` those that have been looked at; ``left_s`` CPU seconds each."""
 
-def compare(scenes: Sequence[Loaded], request: Request, watch: Watch = lambda *step: None) -> Results:
-    """Run every scene, judge all, write ``results.json`` after each, and return the results.
+    scenes: Mapping[str, Loaded]
+    request: Request
+    about: Run
+    begun_s: float = field(default_factory=time.monotonic)
+    runs: dict[str, SceneRun] = field(default_factory=dict)
+    left_s: dict[str, float] = field(default_factory=dict)
+    interrupted: bool = False
 
-    Ctrl-C keeps what has finished: the results are marked interrupted and hold those scenes. A defect of this program
-    is the end of the scene that met it, and of no other.
-    """
-    about, clock = about_run(request.command, request.threads), time.monotonic()
-    _check_references(scenes, request)
-    request.out.mkdir(parents=True, exist_ok=True)
-    names = scene_names([loaded.path for loaded in scenes])
-    by_name = dict(zip(names, scenes, strict=True))
-    runs: dict[str, SceneRun] = {}
-    left_s: dict[str, float] = {}
-    interrupted = False
+    @classmethod
+    def begin(cls, scenes: Sequence[Loaded], request: Request) -> Suite:
+        """A comparison of scenes none of which has run yet. Raises ReferencesError, ThresholdError and ImageError."""
+        about = about_run(request.command, request.threads)
+        check_references(scenes, request)
+        request.out.mkdir(parents=True, exist_ok=True)
+        names = scene_names([loaded.path for loaded in scenes])
+        return cls(dict(zip(names, scenes, strict=True)), request, about)
 
-    def finish() -> Results:
-        ordered = [runs[name] for name in names if name in runs]
-        spent = {"wall_s": round(time.monotonic() - clock, 3), "interrupted": interrupted}
+    def tasks(self) -> list[SceneTask]:
+        """Every scene, as it was asked for."""
+        return [SceneTask(name, loaded, self.request) for name, loaded in self.scenes.items()]
+
+    def more_samples(self) -> list[SceneTask]:
+        """The scenes in doubt that can pay, each with as many more samples as its numbers ask for."""
+        found = []
+        for scene in self.results().scenes:
+            deal, loaded = scene.more_samples, self.scenes[scene.name]
+            if deal is not None and deal.affordable and deal.factor is not None:
+                bought = more(scene.settings, deal.factor, fixed_samples=loaded.scene.image.samples is not None)
+                request = replace(self.request, overrides={**self.request.overrides, **bought})
+                found.append(SceneTask(scene.name, loaded, request))
+        return found
+
+    def deviating(self) -> list[SceneResult]:
+        """The judged scenes whose engines deviate from each other."""
+        scenes = self.results().scenes
+        return [scene for scene in scenes if any(map(deviates_between_engines, scene.observations))]
+
+    def keep(self, task: SceneTask, run: SceneRun) -> None:
+        """Remember what a scene came to, and write it down with all others.
+
+        The first look is what was asked for; only those after it are paid from the budget.
+        """
+        is_first = task.name not in self.left_s
+        self.left_s[task.name] = self.request.budget_s if is_first else self.left_s[task.name] - _cpu_s(run.record)
+        self.runs[task.name] = run
+        self.results()
+
+    def results(self) -> Results:
+        """All verdicts so far, written to ``results.json``; a scene in doubt has what it would cost to decide it."""
+        spent = {"wall_s": round(time.monotonic() - self.begun_s, 3), "interrupted": self.interrupted}
         results = judge(
-            ordered,
-            about.model_copy(update=spent),
-            looks=1 + request.rounds,
-            spared=lambda name, error: defective(by_name[name], name, request, error),
+            [self.runs[name] for name in self.scenes if name in self.runs],
+            self.about.model_copy(update=spent),
+            looks=1 + self.request.rounds,
+            judge_one=self._judged,
         )
-        results = _priced(results, by_name, left_s, request)
-        write_results(results, request.out / "results.json")
+        results = results.model_copy(update={"scenes": tuple(map(self._with_price, results.scenes))})
+        write_results(results, self.request.out / "results.json")
         return results
 
-    try:
-        todo = [(name, loaded, request) for name, loaded in zip(names, scenes, strict=True)]
-        for _ in range(1 + request.rounds):
-            for name, run in _each(todo, request.jobs, watch):
-                # An engine that was interrupted brings its unfinished image home; the rest must not start then.
-                if run.record.status is Status.INTERRUPTED:
-                    raise KeyboardInterrupt
-                # The first look is what was asked for; only those after it are paid from the budget.
-                left_s[name] = left_s[name] - _cpu_s(run.record) if name in left_s else request.budget_s
-                runs[name] = run
-                finish()
-            todo = _undecided(finish(), by_name, request)
-        for record in finish().scenes:
-            if any(deviates_between_engines(entry) for entry in record.observations):
-                run = runs[record.name]
-                watched, left = _watched(watch, record.name), left_s[record.name]
-                runs[record.name] = _searched(run, by_name[record.name], record, request, left, watched)
-    except KeyboardInterrupt:
-        interrupted = True
-    return finish()
+    def _judged(self, run: SceneRun, rules: Thresholds, level: float) -> SceneResult:
+        name = run.record.name
+        return if_own_defect(
+            lambda: judge_scene(run, rules, level),
+            lambda error: defective(SceneTask(name, self.scenes[name], self.request), error),
+        )
+
+    def _with_price(self, scene: SceneResult) -> SceneResult:
+        left_s = max(self.left_s[scene.name], 0.0)
+        is_fixed = self.scenes[scene.name].scene.image.samples is not None
+        deal = offer(scene, left_s, self.request.budget_s, fixed_samples=is_fixed)
+        return scene.model_copy(update={"more_samples": deal})
 
 
-def _check_references(scenes: Sequence[Loaded], request: Request) -> None:
+def check_references(scenes: Sequence[Loaded], request: Request) -> None:
     """Refuse unusable references before an hour of rendering, not after it."""
     for loaded in scenes:
         folder = references_folder(loaded.path, request.references)
@@ -88,65 +108,6 @@ def _check_references(scenes: Sequence[Loaded], request: Request) -> None:
         read_scene_truth(folder, loaded.path.stem, loaded.scene)
         if "stored" in request.against:
             read_stored(folder, loaded.path.stem, scene_hash(loaded.scene))
-
-
-def _priced(results: Results, scenes: Mapping[str, Loaded], left_s: Mapping[str, float], request: Request) -> Results:
-    """The results, each scene in doubt with what it would cost to decide it."""
-    priced = []
-    for scene in results.scenes:
-        left, is_fixed = max(left_s[scene.name], 0.0), scenes[scene.name].scene.image.samples is not None
-        wish = offer(scene, left, request.budget_s, fixed_samples=is_fixed)
-        priced.append(scene.model_copy(update={"more_samples": wish}))
-    return results.model_copy(update={"scenes": tuple(priced)})
-
-
-def _undecided(results: Results, scenes: Mapping[str, Loaded], request: Request) -> list[tuple[str, Loaded, Request]]:
-    """The scenes in doubt that can pay, each with a request for as many more samples as its numbers ask for."""
-    found = []
-    for scene in results.scenes:
-        wish = scene.more_samples
-        if wish is not None and wish.affordable and wish.factor is not None:
-            loaded = scenes[scene.name]
-            bought = more(scene.settings, wish.factor, fixed_samples=loaded.scene.image.samples is not None)
-            found.append((scene.name, loaded, replace(request, overrides={**request.overrides, **bought})))
-    return found
-
-
-def _cpu_s(record: SceneResult) -> float:
-    """What one look at a scene took, both engines together."""
-    return sum(engine.cpu_s or 0.0 for engine in record.engines)
-
-
-def judge(
-    runs: Sequence[SceneRun],
-    about: Run,
-    *,
-    looks: int = 1,
-    comparisons: int | None = None,
-    spared: Callable[[str, Exception], SceneResult] | None = None,
-) -> Results:
-    """All verdicts of a run, at the level that its number of comparisons asks for, each looked at ``looks`` times.
-
-    ``comparisons`` gives that number where not all of them are in ``runs``; it is never taken for less than there are.
-    ``spared`` makes the record of a scene in whose judgement this program fails; without it the error goes on.
-    """
-    own = looks * sum(len(observed.measured) for run in runs for observed in run.observed)
-    comparisons = max(own, comparisons or 0)
-    folders = {run.references for run in runs if run.references is not None}
-    rules = {folder: thresholds_of(folder) for folder in folders}
-    rate = min((each.suite_false_alarm_rate for each in rules.values()), default=SUITE_FALSE_ALARM_RATE)
-    shared = sidak(rate, comparisons)
-    scenes = tuple(_judged_or_spared(run, rules, shared.level, spared) for run in runs)
-    keys = [scene.verdict.value if scene.verdict else "unjudged" for scene in scenes]
-    codes = [scene.exit_code for scene in scenes] + ([INTERRUPTED] if about.interrupted else [])
-    return Results(
-        run=about,
-        false_alarms=shared,
-        scenes=scenes,
-        counts={key: keys.count(key) for key in sorted(set(keys))},
-        verdict=overall(scene.verdict for scene in scenes),
-        exit_code=of_run(codes),
-    )
 
 
 def scene_names(paths: Sequence[Path]) -> list[str]:
@@ -158,83 +119,6 @@ def scene_names(paths: Sequence[Path]) -> list[str]:
     return [name if names.index(name) == place else f"{name}-{place}" for place, name in enumerate(names)]
 
 
-def _each(todo: list[tuple[str, Loaded, Request]], jobs: int, watch: Watch) -> Iterator[tuple[str, SceneRun]]:
-    """(name, run) of every scene as it finishes, ``jobs`` at a time."""
-    if jobs == 1:
-        for name, loaded, request in todo:
-            yield name, _spared(loaded, name, request, _watched(watch, name))
-        return
-    waiting = list(reversed(todo))
-    with ThreadPoolExecutor(jobs) as pool:
-        going: dict[Future[SceneRun], str] = {}
-        try:
-            while waiting or going:
-                while waiting and len(going) < jobs:
-                    name, loaded, request = waiting.pop()
-                    going[pool.submit(_spared, loaded, name, request, _watched(watch, name))] = name
-                for future in wait(going, return_when=FIRST_COMPLETED).done:
-                    yield going.pop(future), future.result()
-        finally:
-            for future in going:
-                future.cancel()
-
-
-def _watched(watch: Watch, name: str) -> Callable[[str, float, float], None]:
-    return lambda phase, done, total: watch(name, phase, done, total)
-
-
-def _spared(loaded: Loaded, name: str, request: Request, progress: Progress) -> SceneRun:
-    """A scene's run; a defect of this program that it meets is its end, and that of no other scene."""
-    (request.out / name / TRACEBACK).unlink(missing_ok=True)
-    try:
-        return run_scene(loaded, name, request, progress)
-    except Exception as error:
-        if not is_own_defect(error):
-            raise
-        return SceneRun(defective(loaded, name, request, error))
-
-
-def _searched(
-    run: SceneRun, loaded: Loaded, record: SceneResult, request: Request, left_s: float, progress: Progress
-) -> SceneRun:
-    """The run with what was tried to find where its engines deviate; a defect met there takes no verdict away."""
-    assert run.references is not None
-    try:
-        return replace(run, search=search_whereabouts(loaded, run.references, record, request, left_s, progress))
-    except Exception as error:
-        if not is_own_defect(error):
-            raise
-        warnings = (*run.record.warnings, unsearched(record, request, error))
-        return replace(run, record=run.record.model_copy(update={"warnings": warnings}))
-
-
-def _judged_or_spared(
-    run: SceneRun,
-    rules: Mapping[Path, Thresholds],
-    level: float,
-    spared: Callable[[str, Exception], SceneResult] | None,
-) -> SceneResult:
-    if run.references is None:
-        return _coded(run.record)
-    try:
-        return _judged(run, rules[run.references], level)
-    except Exception as error:
-        if spared is None or not is_own_defect(error):
-            raise
-        return _coded(spared(run.record.name, error))
-
-
-def _judged(run: SceneRun, thresholds: Thresholds, level: float) -> SceneResult:
-    """The scene's record with its verdicts; a scene that observes nothing has judged nothing and says so."""
-    judged = [judge_observation(each, thresholds, run.residual, level) for each in run.observed]
-    observations = with_whereabouts(judged, run.search, thresholds, level)
-    words = [each.verdict for each in observations] + [each.verdict for each in run.record.global_metrics]
-    verdict = overall(words) if observations else None
-    update: dict[str, object] = {"observations": observations, "verdict": verdict}
-    if verdict is None:
-        update |= {"status": Status.SCENE_ERROR, "message": "the scene observes nothing; add an `observe` entry"}
-    return _coded(run.record.model_copy(update=update))
-
-
-def _coded(record: SceneResult) -> SceneResult:
-    return record.model_copy(update={"exit_code": of_scene(record.status, record.verdict)})
+def _cpu_s(record: SceneResult) -> float:
+    """What one look at a scene took, both engines together."""
+    return sum(engine.cpu_s or 0.0 for engine in record.engines)

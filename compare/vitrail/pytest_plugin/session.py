@@ -14,9 +14,10 @@ from vitrail.judge.records import SceneResult, write_results
 from vitrail.judge.references import references_folder
 from vitrail.judge.stored import IMAGE
 from vitrail.pipeline.about_run import about_run
+from vitrail.pipeline.compare import compare_scene
+from vitrail.pipeline.judge import judge
 from vitrail.pipeline.request import Request
-from vitrail.pipeline.scene_run import SceneRun, run_scene
-from vitrail.pipeline.suite import judge
+from vitrail.pipeline.scene_run import SceneRun, SceneTask
 from vitrail.report.build import build_report
 
 NUMBERS_OF_ONE_OBSERVATION = 64
@@ -54,7 +55,7 @@ class Session:
             against=self._against(path, references_folder(path, Path(given) if given else None)),
         )
         request.out.mkdir(parents=True, exist_ok=True)
-        return run_scene(loaded.scene_or_raise(), path.stem, request, lambda phase, done, total: None)
+        return compare_scene(SceneTask(path.stem, loaded.scene_or_raise(), request))
 
     def _against(self, path: Path, folder: Path) -> tuple[str, ...]:
         """What the scene is held against; ``auto`` takes what there is."""

@@ -13,7 +13,7 @@ from vitrail.lower.povray import NothingToEdit, PovrayScene, lower_povray
 from vitrail.lower.povray.text.edit import found
 from vitrail.lower.povray.text.printer import Layout, printed
 from vitrail.lower.povray.text.sdl import Block, SdlFile
-from vitrail.pipeline.request import Defect
+from vitrail.pipeline.defect import Defect
 from vitrail.plan.analyse import analyse
 from vitrail.plan.budget import settings_for
 from vitrail.scene.load import load

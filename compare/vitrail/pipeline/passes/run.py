@@ -20,6 +20,7 @@ from vitrail.images.exr import ImageLayers, read_image, write_image
 from vitrail.judge.half_error import HalfError, Observer
 from vitrail.judge.references import SceneTruth
 from vitrail.judge.thresholds import Thresholds
+from vitrail.pipeline.content_keys import tracer_key
 from vitrail.pipeline.passes.checkpoint import (
     Checkpoint,
     Identity,
@@ -31,7 +32,6 @@ from vitrail.pipeline.passes.interrupt import Interrupt
 from vitrail.pipeline.passes.record import cpu_seconds, with_record
 from vitrail.pipeline.passes.schedule import blur_radius_m, gather_radii_m, lowered_pass
 from vitrail.pipeline.passes.stop import Reason, Wish, is_spent, next_look, passes_wanted
-from vitrail.pipeline.render import tracer_key
 from vitrail.scene.model import Scene
 
 LAW = "r^2 (i + 1) = r^2 (i) (i + 2/3) / (i + 1)"

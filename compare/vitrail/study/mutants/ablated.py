@@ -14,10 +14,10 @@ from vitrail.judge.thresholds import thresholds_of
 from vitrail.judge.whereabouts import LIGHT_FAMILIES
 from vitrail.pipeline.ablate import search_whereabouts
 from vitrail.pipeline.about_run import about_run
+from vitrail.pipeline.judge import judge
 from vitrail.pipeline.request import Request
 from vitrail.pipeline.scene_run import SceneRun
-from vitrail.pipeline.suite import judge
-from vitrail.study.mutants.bench import Bench, unwatched
+from vitrail.study.mutants.bench import Bench
 from vitrail.study.mutants.records import AblatedWitness, CleanAblations
 
 
@@ -31,7 +31,7 @@ def whereabouts_of(
     run = runs[record.name]
     assert run.references is not None
     loaded = bench.scenes[record.name]
-    tried = search_whereabouts(loaded, run.references, record, requests[record.name], math.inf, unwatched)
+    tried = search_whereabouts(loaded, run.references, record, requests[record.name], math.inf)
     again = judge([replace(run, search=tried)], about_run((), 0), comparisons=results.false_alarms.comparisons)
     where = next(entry.where for entry in again.scenes[0].observations if entry.name == found.observation)
     if where is None:
@@ -52,13 +52,13 @@ def clean_ablations(bench: Bench) -> CleanAblations:
         run, request = bench.clean[record.name], bench.requests[record.name]
         assert run.references is not None
         rules, loaded = thresholds_of(run.references), bench.scenes[record.name]
-        tried = search_whereabouts(loaded, run.references, record, request, math.inf, unwatched, everywhere=True)
-        for look in tried.looks:
+        tried = search_whereabouts(loaded, run.references, record, request, math.inf, everywhere=True)
+        for scene in tried.ablated:
             count += 1
-            judged = [judge_observation(each, rules, look.residual, level) for each in look.observed.values()]
-            words = [f"{each.name} {each.verdict.value}" for each in judged if _is_apart(each, look.ablation.name)]
-            if words or look.reason:
-                apart[f"{record.name}, {look.ablation.name}"] = look.reason or ", ".join(words)
+            judged = [judge_observation(each, rules, scene.residual, level) for each in scene.observed.values()]
+            words = [f"{each.name} {each.verdict.value}" for each in judged if _is_apart(each, scene.ablation.name)]
+            if words or scene.reason:
+                apart[f"{record.name}, {scene.ablation.name}"] = scene.reason or ", ".join(words)
     return CleanAblations(count=count, apart=apart)
 
 

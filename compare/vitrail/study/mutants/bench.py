@@ -9,11 +9,14 @@ from pathlib import Path
 from vitrail.judge.records import Results, SceneResult
 from vitrail.lower.povray import NothingToEdit
 from vitrail.pipeline.about_run import about_run
+from vitrail.pipeline.compare import compare_scene
+from vitrail.pipeline.content_keys import povray_key, tracer_key
+from vitrail.pipeline.defect import Defect
 from vitrail.pipeline.job import prepare
-from vitrail.pipeline.render import lower_both, povray_key, tracer_key
-from vitrail.pipeline.request import Defect, Request
-from vitrail.pipeline.scene_run import SceneRun, run_scene
-from vitrail.pipeline.suite import judge
+from vitrail.pipeline.judge import judge
+from vitrail.pipeline.lowered import lower
+from vitrail.pipeline.request import Request
+from vitrail.pipeline.scene_run import SceneRun, SceneTask
 from vitrail.scene.load import Loaded, load
 from vitrail.study.mutants.records import Alarm
 
@@ -76,7 +79,7 @@ def clean_bench(folder: Path, out: Path) -> Bench:
     """Every scene of the bench without any defect; ``folder`` holds the folders of scenes."""
     scenes = {Path(name).name: load(folder / f"{name}.yaml") for name in BENCH}
     requests = {Path(name).name: Request(out=out / "bench", overrides=own) for name, own in BENCH.items()}
-    clean = {name: run_scene(loaded, name, requests[name], unwatched) for name, loaded in scenes.items()}
+    clean = {name: compare_scene(SceneTask(name, loaded, requests[name])) for name, loaded in scenes.items()}
     records = [run.record for run in clean.values()]
     alarms = {metric: frozenset(scene.name for scene in records if _is_far(scene, metric)) for metric in ALONE}
     return Bench(scenes, clean, requests, alarms)
@@ -84,7 +87,7 @@ def clean_bench(folder: Path, out: Path) -> Bench:
 
 def content(loaded: Loaded, request: Request) -> tuple[str, str]:
     """What decides both images of a scene."""
-    lowered = lower_both(prepare(loaded, request.quality, request.overrides), request)
+    lowered = lower(prepare(loaded, request.quality, request.overrides), request)
     return tracer_key("", lowered.tracer), povray_key("", lowered.povray)
 
 
@@ -106,7 +109,3 @@ def _is_far(scene: SceneResult, metric: str) -> bool:
     threshold, side = ALONE[metric]
     values = [entry.value for entry in scene.global_metrics if entry.metric == metric]
     return any(value < threshold if side == "below" else value > threshold for value in values)
-
-
-def unwatched(phase: str, done: float, total: float) -> None:
-    """Nobody watches a single scene of the bench."""

@@ -11,8 +11,8 @@ from vitrail.base.phenomenon import Phenomenon
 from vitrail.lower.povray import PovrayScene
 from vitrail.lower.povray.text.edit import Edit, NothingToEdit, blocks, statements, values_of
 from vitrail.lower.povray.text.sdl import Block, Part, Product, Statement, Vector, statement
+from vitrail.pipeline.defect import Defect
 from vitrail.pipeline.defects import DEFECTS, brighter_lights, everywhere, in_drawing, in_shooting
-from vitrail.pipeline.request import Defect
 from vitrail.study.mutants import misreadings as misread
 from vitrail.study.mutants.mutant import Mutant
 

@@ -16,9 +16,11 @@ from vitrail.base.record import write_record
 from vitrail.judge.comparison import Comparison, Verdict
 from vitrail.judge.records import SceneResult
 from vitrail.pipeline.about_run import about_run
-from vitrail.pipeline.request import Defect, Request
-from vitrail.pipeline.scene_run import run_scene
-from vitrail.pipeline.suite import judge
+from vitrail.pipeline.compare import compare_scene
+from vitrail.pipeline.defect import Defect
+from vitrail.pipeline.judge import judge
+from vitrail.pipeline.request import Request
+from vitrail.pipeline.scene_run import SceneTask
 from vitrail.scene.load import load
 from vitrail.study.mutants import misreadings as misread
 from vitrail.study.mutants.records import DetectionLimits, LimitNumber, LimitRow
@@ -110,7 +112,7 @@ def _row(limit: Limit, share: float, bench: Path, out: Path, against: tuple[str,
     """One size of one defect: the number that sees it best, against POV-Ray and against the closed form."""
     defect = Defect(limit.name, misread_by_tracer=limit.misreading(share * limit.size)) if share else Defect()
     request = Request(out=out / "bench", against=against, defect=defect)
-    run = run_scene(load(bench / f"{limit.scene}.yaml"), limit.scene, request, lambda phase, done, total: None)
+    run = compare_scene(SceneTask(limit.scene, load(bench / f"{limit.scene}.yaml"), request))
     (scene,) = judge([run], about_run((), 0)).scenes
     pairs = {side: _clearest(scene, limit.families, f"tracer-vs-{side}") for side in (*against, "truth")}
     return LimitRow(

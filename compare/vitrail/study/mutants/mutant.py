@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from vitrail.base.phenomenon import Phenomenon
-from vitrail.pipeline.request import Defect
+from vitrail.pipeline.defect import Defect
 
 Place = Literal["translator", "tracer"]
 ENGINE_OF: dict[Place, str] = {"translator": "povray", "tracer": "tracer"}

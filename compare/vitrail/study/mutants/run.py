@@ -17,11 +17,12 @@ from vitrail.judge.comparison import Pair, Verdict
 from vitrail.judge.diagnosis import Diagnosis, diagnose
 from vitrail.judge.records import Results, Status
 from vitrail.pipeline.campaign import Campaign, Work, run_campaign
-from vitrail.pipeline.request import Defect
-from vitrail.pipeline.scene_run import SceneRun, run_scene
+from vitrail.pipeline.compare import compare_scene
+from vitrail.pipeline.defect import Defect
+from vitrail.pipeline.scene_run import SceneRun, SceneTask
 from vitrail.pipeline.task import Row, Task
 from vitrail.study.mutants.ablated import clean_ablations, whereabouts_of
-from vitrail.study.mutants.bench import Bench, alone, clean_bench, content, unwatched
+from vitrail.study.mutants.bench import Bench, alone, clean_bench, content
 from vitrail.study.mutants.catalogue import MUTANTS
 from vitrail.study.mutants.mutant import Mutant
 from vitrail.study.mutants.records import CleanBench, Injection, MutantEntry, Mutants, Reported, Witness
@@ -79,7 +80,7 @@ def _inject(mutant: Mutant, bench: Bench, place: Path) -> tuple[Injection, list[
     if not touched:
         raise ValueError(f"{mutant.name} changes no scene of the bench; it tests nothing")
     requests = {name: replace(bench.requests[name], defect=mutant.defect, out=place) for name in touched}
-    runs = {name: run_scene(bench.scenes[name], name, requests[name], unwatched) for name in touched}
+    runs = {name: compare_scene(SceneTask(name, bench.scenes[name], requests[name])) for name in touched}
     results = bench.judged({**bench.clean, **runs})
     found = diagnose(results.scenes)
     # A black picture is stopped before anything is measured; a mutant that only does that has tested no verdict.

@@ -11,7 +11,7 @@ from dataclasses import replace
 from vitrail.images.exr import ImageLayers
 
 
-def paired(candidate: ImageLayers, reference: ImageLayers) -> tuple[ImageLayers, ImageLayers]:
+def with_common_noise(candidate: ImageLayers, reference: ImageLayers) -> tuple[ImageLayers, ImageLayers]:
     """The same two images with halves that hold the noise of their difference.
 
     The difference has halves of its own, a - a' and b - b'; half of what sets those apart is given to the candidate,

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from vitrail.images.exr import ImageLayers
+from vitrail.judge.common_random_numbers import with_common_noise
 from vitrail.judge.comparison import Pair
 from vitrail.judge.observe import Observed, merged, observe
-from vitrail.judge.paired import paired
 from vitrail.judge.records import GlobalMetric
 from vitrail.judge.references import read_scene_truth
 from vitrail.judge.stored import Stored
@@ -22,7 +22,7 @@ PAIRS = (Pair.TRACER_POVRAY, Pair.TRACER_TRUTH, Pair.POVRAY_TRUTH)
 
 
 @dataclass(frozen=True)
-class Look:
+class Measurements:
     """One scene, its images by side, and what they may be held against."""
 
     scene: Scene
@@ -56,5 +56,5 @@ class Look:
         assert self.stored is not None
         tracer, stored = self.images["tracer"], self.stored.image
         if dict(self.stored.provenance.settings) == self.settings.as_record():
-            tracer, stored = paired(tracer, stored)
+            tracer, stored = with_common_noise(tracer, stored)
         return {"tracer": tracer, "stored": stored}

@@ -1,0 +1,64 @@
+"""Images that have passed their gates, with pictures for the eye beside them."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Mapping
+from pathlib import Path
+
+from vitrail.engines.base import EngineFailure, Rendering
+from vitrail.images.exr import ImageError, ImageLayers, read_image
+from vitrail.judge.gates import Inspected, check_gates
+from vitrail.judge.pictures import write_pictures
+from vitrail.judge.records import SceneResult, Status
+from vitrail.judge.stored import Stored
+from vitrail.pipeline.record_parts import engine_record, speed_records
+from vitrail.pipeline.scene_record import ended
+
+
+def open_images(
+    record: SceneResult, made: Mapping[str, Rendering], stored: Stored | None, place: Path
+) -> tuple[SceneResult, dict[str, ImageLayers]]:
+    """The images by side, and the record with how they were made, what the gates say, and their pictures in ``place``.
+
+    A closed gate ends the record. Raises EngineFailure for an image that cannot be read.
+    """
+    engines = tuple(engine_record(rendering.record) for rendering in made.values())
+    remarks = stored.remarks(engines[0].version) if stored is not None else ()
+    record = record.model_copy(
+        update={"engines": engines, "speed": speed_records(engines), "warnings": (*record.warnings, *remarks)}
+    )
+    files = {side: rendering.image_path for side, rendering in made.items()}
+    images = {side: _read(side, path) for side, path in files.items()}
+    if stored is not None:
+        images["stored"], files["stored"] = stored.image, place / "stored.exr"
+        shutil.copyfile(stored.path, files["stored"])
+    inspected = [inspect(side, image, files[side].name) for side, image in images.items()]
+    gates = check_gates(record.width, record.height, record.scene_hash, inspected)
+    record = record.model_copy(update={"gates": gates})
+    failed = [gate.message for gate in gates if not gate.passed]
+    if failed:
+        return ended(record, Status.ENGINE_FAILED, "\n".join(failed)), images
+    sides, differences = write_pictures(images, files, place, record.exposure_stops)
+    return record.model_copy(update={"images": sides, "differences": differences}), images
+
+
+def inspect(side: str, image: ImageLayers, file: str) -> Inspected:
+    """What the gates look at."""
+    return Inspected(
+        side=side,
+        file=file,
+        width=image.width,
+        height=image.height,
+        channels=("R", "G", "B"),
+        pixel_type=image.pixel_type,
+        radiance=image.radiance,
+        metadata={key: str(value) for key, value in image.metadata.items()},
+    )
+
+
+def _read(side: str, path: Path) -> ImageLayers:
+    try:
+        return read_image(path)
+    except ImageError as error:
+        raise EngineFailure(side, f"its image cannot be read ({error})", "render it again") from None
