@@ -10,7 +10,7 @@ import numpy as np
 from tests.browser.conftest import Watched
 from tests.end_to_end.test_command_line import CARD, ROOT, vitrail
 from vitrail.images.exr import read_image, write_image
-from vitrail.pipeline.accept import decisions_of
+from vitrail.pipeline.decisions import read_decisions
 
 
 def test_decisions_outlive_the_page_and_are_exported(watched: Watched, report: Path, tmp_path: Path) -> None:
@@ -28,7 +28,7 @@ def test_decisions_outlive_the_page_and_are_exported(watched: Watched, report: P
         page.get_by_role("button", name="Export").click()
     path = tmp_path / "decisions.json"
     started.value.save_as(path)
-    assert [(d["scene"], d["decision"], d["because"]) for d in decisions_of(path)] == [
+    assert [(d.scene, d.decision, d.because) for d in read_decisions(path).decisions] == [
         ("alike", "accept", "as the closed form"),
         ("apart", "reject", "the ring is too bright"),
     ]

@@ -9,7 +9,8 @@ from vitrail.judge.comparison import ObservationResult, Pair, PatchRecord, Verdi
 from vitrail.judge.judgement import judge_observation
 from vitrail.judge.observe import Observed
 from vitrail.judge.references import Truth
-from vitrail.judge.thresholds import Rule, Thresholds
+from vitrail.judge.rules import Rule
+from vitrail.judge.thresholds import Thresholds
 from vitrail.judge.verdict import Measured, Noise
 from vitrail.scene.model import Observation, Patch
 

@@ -8,7 +8,8 @@ import pytest
 
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.judge.reference_files import ReferencesError
-from vitrail.judge.thresholds import Rule, ThresholdError, read_thresholds
+from vitrail.judge.rules import Rule
+from vitrail.judge.thresholds import ThresholdError, read_thresholds
 
 ROOT = Path(__file__).parents[2]
 PUBLISHED = ROOT / "references" / "thresholds.yaml"
@@ -44,12 +45,28 @@ def test_a_rule_of_the_phenomenon_replaces_that_of_the_metric(tmp_path: Path) ->
         ("metrics: {flux: {relative: 0.1}}", "flux has no reason"),
         ("metrics: {flux: {relative: 0.1, absolute: 1, reason: a}}", "flux takes one of"),
         ("metrics: {flux: {relative: -1, reason: a}}", "flux.relative is -1"),
-        ("metrics: {flux: {relativ: 1, reason: a}}", "flux takes one of"),
+        ("metrics: {flux: {relativ: 1, reason: a}}", "flux.relativ is unknown; a rule takes one of relative, of_patch"),
+        ("metrics: {flux: {relative: wide, reason: a}}", "flux.relative is 'wide'; write"),
+        ("metrics: {flux: {relative: 0.1, as: width}}", "`as: width` names no metric with a reason of its own"),
+        ("phenomena: {caustik: {flux: {relative: 0.1, reason: a}}}", "phenomena.caustik"),
     ],
 )
 def test_a_wrong_rule_is_refused(tmp_path: Path, rules: str, says: str) -> None:
     with pytest.raises(ThresholdError, match=says):
         read_thresholds(written(tmp_path, rules))
+
+
+def test_a_rule_may_have_the_reason_of_another_metric_and_more(tmp_path: Path) -> None:
+    """A reason that only begins with the word is a reason of its own."""
+    rules = """metrics:
+  flux: {relative: 0.1, reason: "as flux, which is what it is"}
+  mean: {relative: 0.1, as: flux}
+  depth: {absolute: 0.1, as: flux, reason: of the lit side}
+"""
+    found = read_thresholds(written(tmp_path, rules)).metrics
+    assert found["flux"].reason == "as flux, which is what it is"
+    assert found["mean"].reason == "as flux: as flux, which is what it is"
+    assert found["depth"].reason == "as flux, of the lit side: as flux, which is what it is"
 
 
 def test_a_missing_file_of_thresholds_fails(tmp_path: Path) -> None:

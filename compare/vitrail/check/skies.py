@@ -26,5 +26,4 @@ def _check_radiance(findings: Findings, name: str, path: tuple[str | int, ...]) 
     try:
         read_sky(file)
     except ImageError as error:
-        what, _, remedy = str(error).removeprefix(f"{file}: ").rpartition("; ")
-        findings.error(f"the sky `{name}` {what}", remedy, *path)
+        findings.error(f"the sky `{name}` {error.what}", error.remedy, *path)

@@ -96,14 +96,12 @@ def _taken(source: Path, because: str, references: Path | None) -> Iterator[Prop
     """The images of a finished comparison: those that agree with one reason, or those that a reader accepted."""
     from vitrail.commands.scene_file import read_scene
     from vitrail.judge.references import references_folder
-    from vitrail.pipeline.accept import decisions_of, propose_from_run
+    from vitrail.pipeline.accept import propose_from_run
+    from vitrail.pipeline.decisions import read_decisions
 
-    if source.is_dir():
-        run, accepted = source, None
-    else:
-        decisions = decisions_of(source)
-        accepted = {each["scene"]: each for each in decisions if each["decision"] == "accept"}
-        run = _run_of(source)
+    decisions = None if source.is_dir() else read_decisions(source)
+    accepted = None if decisions is None else decisions.accepted
+    run = source if decisions is None else _run_of(source, decisions.folder)
     for scene in _scenes_of(run):
         if accepted is None and scene["verdict"] != "agrees":
             ending = scene["verdict"] or scene["status"]
@@ -112,15 +110,14 @@ def _taken(source: Path, because: str, references: Path | None) -> Iterator[Prop
         if accepted is not None and scene["name"] not in accepted:
             continue
         loaded = read_scene(Path(scene["source"]))
-        decision = {} if accepted is None else accepted[scene["name"]]
-        reason = decision.get("because") or because
+        decision = None if accepted is None else accepted[scene["name"]]
+        reason = (decision.because if decision else "") or because
         folder = references_folder(loaded.path, references)
-        yield propose_from_run(loaded, folder, reason, run, scene, decision.get("content"))
+        yield propose_from_run(loaded, folder, reason, run, scene, decision.content if decision else None)
 
 
-def _run_of(decisions: Path) -> Path:
+def _run_of(decisions: Path, named: Path) -> Path:
     """The folder of results that decisions are about: where they say, or where they lie."""
-    named = Path(str(json.loads(decisions.read_text(encoding="utf-8")).get("folder", "")))
     for folder in (decisions.parent, named):
         if (folder / "results.json").is_file():
             return folder

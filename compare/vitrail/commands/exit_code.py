@@ -8,6 +8,8 @@ from contextlib import contextmanager
 
 import typer
 
+from vitrail.base.fault import Fault
+
 AGREES, DEVIATES, SCENE_ERROR, NOT_TRANSLATABLE, ENGINE_FAILED, INCONCLUSIVE = range(6)
 INTERRUPTED, TERMINATED = 130, 143
 DEFECT = 70
@@ -19,9 +21,9 @@ DISK_FULL = (errno.ENOSPC, errno.EDQUOT)
 def exit_codes() -> Iterator[None]:
     """Turn the errors that a user can cause or meet into a message and an exit code.
 
-    A wrong scene or option, or a file that cannot be read or written, ends with 2, a scene that POV-Ray cannot express
-    with 3, an engine that failed with 4, Ctrl-C with 130. Any other exception is a defect of this program and keeps its
-    traceback.
+    A wrong scene, option or image, or a file that cannot be read or written, ends with 2, a scene that POV-Ray cannot
+    express with 3, an engine that failed with 4, Ctrl-C with 130. Any other exception is a defect of this program and
+    keeps its traceback.
     """
     from vitrail.engines.base import EngineFailure
     from vitrail.scene.diagnostic import SceneErrors
@@ -45,10 +47,9 @@ def exit_codes() -> Iterator[None]:
         _say([f"{error.filename or 'the disk'}: {what}; name another place, or free this one"])
         raise typer.Exit(SCENE_ERROR) from None
     except Exception as error:
-        from vitrail.images.exr import ImageError
         from vitrail.lower.povray import NotTranslatable
 
-        if isinstance(error, ImageError):
+        if isinstance(error, Fault):
             _say([str(error)])
             raise typer.Exit(SCENE_ERROR) from None
         if not isinstance(error, NotTranslatable):

@@ -15,12 +15,21 @@ from typing import Literal
 import numpy as np
 import OpenImageIO as oiio
 
+from vitrail.base.fault import Fault
+
 RESERVED = ("half_a", "half_b", "variance")
 HALF_MAX = 65504.0
 
 
-class ImageError(Exception):
-    """An image cannot be read or written; the message names the file, what is wrong, and what to do."""
+class ImageError(Fault):
+    """An image cannot be read or written: its file, what is wrong with it, and what to do."""
+
+    def __init__(self, file: str | Path, what: str, remedy: str) -> None:
+        super().__init__(what, remedy)
+        self.file = str(file)
+
+    def __str__(self) -> str:
+        return f"{self.file}: {self.what}; {self.remedy}"
 
 
 @dataclass(frozen=True)
@@ -50,16 +59,16 @@ class ImageLayers:
 def read_image(path: str | Path) -> ImageLayers:
     """Everything in an image file. Raises ImageError for a missing, corrupt, cropped or channel-less file."""
     if not Path(path).is_file():
-        raise ImageError(f"{path}: no such image; render it, or correct the path")
+        raise ImageError(path, "no such image", "render it, or correct the path")
     source = oiio.ImageInput.open(str(path))
     if source is None:
-        raise ImageError(f"{path}: is not a readable image ({oiio.geterror() or 'unknown format'}); write it again")
+        raise ImageError(path, f"is not a readable image ({oiio.geterror() or 'unknown format'})", "write it again")
     try:
         spec = source.spec()
         _refuse_cropped(path, spec)
         pixels = source.read_image(0, 0, 0, spec.nchannels, oiio.FLOAT)
         if pixels is None:
-            raise ImageError(f"{path}: is damaged or cut off ({source.geterror()}); write it again")
+            raise ImageError(path, f"is damaged or cut off ({source.geterror()})", "write it again")
     finally:
         source.close()
     groups = _groups(path, np.asarray(pixels, np.float64), list(spec.channelnames))
@@ -94,9 +103,10 @@ def write_image(
     height, width = radiance.shape[:2]
     for name, array in present.items():
         if array.shape != (height, width, 3):
-            raise ImageError(f"{path}: layer {name or 'radiance'} is {array.shape}, not {(height, width, 3)}")
+            what = f"layer {name or 'radiance'} is {array.shape}, not {(height, width, 3)}"
+            raise ImageError(path, what, "give every layer one shape")
     if pixel_type == "half" and max(float(np.abs(array).max()) for array in present.values()) > HALF_MAX:
-        raise ImageError(f"{path}: radiance above {HALF_MAX:g} does not fit half floats; write float")
+        raise ImageError(path, f"radiance above {HALF_MAX:g} does not fit half floats", "write float")
     spec = oiio.ImageSpec(width, height, 3 * len(present), oiio.HALF if pixel_type == "half" else oiio.FLOAT)
     spec.channelnames = tuple(f"{name}.{c}" if name else c for name in present for c in "RGB")
     spec.attribute("compression", "zip")
@@ -105,10 +115,10 @@ def write_image(
     target = oiio.ImageOutput.create(str(path))
     if target is None or not target.open(str(path), spec):
         reason = oiio.geterror() if target is None else target.geterror()
-        raise ImageError(f"{path}: cannot be written ({reason}); use a writable folder and the extension .exr")
+        raise ImageError(path, f"cannot be written ({reason})", "use a writable folder and the extension .exr")
     pixels = np.ascontiguousarray(np.concatenate(list(present.values()), axis=2), dtype=np.float32)
     if not target.write_image(pixels) or not target.close():
-        raise ImageError(f"{path}: writing failed ({target.geterror()}); is the disk full?")
+        raise ImageError(path, f"writing failed ({target.geterror()})", "is the disk full?")
 
 
 def write_png(path: str | Path, picture: np.ndarray) -> None:
@@ -117,7 +127,7 @@ def write_png(path: str | Path, picture: np.ndarray) -> None:
     spec = oiio.ImageSpec(width, height, 3, oiio.UINT8)
     target = oiio.ImageOutput.create(str(path))
     if target is None or not target.open(str(path), spec):
-        raise ImageError(f"{path}: cannot be written; use a writable folder and the extension .png")
+        raise ImageError(path, "cannot be written", "use a writable folder and the extension .png")
     target.write_image(np.ascontiguousarray(np.clip(picture, 0, 1) * 255 + 0.5).astype(np.uint8))
     target.close()
 
@@ -127,7 +137,7 @@ def _refuse_cropped(path: str | Path, spec: oiio.ImageSpec) -> None:
     data = (spec.x, spec.y, spec.width, spec.height)
     full = (spec.full_x, spec.full_y, spec.full_width, spec.full_height)
     if data != full:
-        raise ImageError(f"{path}: holds the window {data} of a picture {full}; write the whole picture")
+        raise ImageError(path, f"holds the window {data} of a picture {full}", "write the whole picture")
 
 
 def _groups(path: str | Path, pixels: np.ndarray, names: list[str]) -> dict[str, np.ndarray]:
@@ -140,7 +150,7 @@ def _groups(path: str | Path, pixels: np.ndarray, names: list[str]) -> dict[str,
         if all(name in index for name in wanted):
             groups[prefix] = pixels[..., [index[name] for name in wanted]].copy()
     if "" not in groups:
-        raise ImageError(f"{path}: has no channels R, G, B, only {', '.join(names)}; rename the radiance to R, G, B")
+        raise ImageError(path, f"has no channels R, G, B, only {', '.join(names)}", "rename the radiance to R, G, B")
     if ("half_a" in groups) != ("half_b" in groups):
-        raise ImageError(f"{path}: has one of half_a, half_b; write both halves or none")
+        raise ImageError(path, "has one of half_a, half_b", "write both halves or none")
     return groups

@@ -18,13 +18,13 @@ def read_sky(path: Path) -> np.ndarray:
         with path.open("rb") as file:
             begins = file.read(len(OPENEXR))
     except OSError as error:
-        raise ImageError(f"{path}: {(error.strerror or 'cannot be read').lower()}; check the path") from None
+        raise ImageError(path, (error.strerror or "cannot be read").lower(), "check the path") from None
     if begins != OPENEXR:
-        raise ImageError(f"{path}: is not an OpenEXR file; write it again as EXR with R, G and B")
+        raise ImageError(path, "is not an OpenEXR file", "write it again as EXR with R, G and B")
     radiance = read_image(path).radiance
     bad = ~(np.isfinite(radiance) & (radiance >= 0))
     if bad.any():
         row, column, channel = (int(each) for each in np.argwhere(bad)[0])
         value = f"{radiance[row, column, channel]:g} at pixel x={column} y={row} (channel {'RGB'[channel]})"
-        raise ImageError(f"{path}: is {value}; make all of it finite and not negative")
+        raise ImageError(path, f"is {value}", "make all of it finite and not negative")
     return radiance

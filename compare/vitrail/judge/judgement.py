@@ -9,7 +9,8 @@ from vitrail.judge.attribution import attribute, headline
 from vitrail.judge.comparison import Comparison, ObservationResult, TolerancePart, Verdict
 from vitrail.judge.observe import Observed
 from vitrail.judge.references import Truth
-from vitrail.judge.thresholds import Rule, Thresholds
+from vitrail.judge.rules import Rule
+from vitrail.judge.thresholds import Thresholds
 from vitrail.judge.verdict import Measured, decide, overall
 
 Residual = Callable[[Phenomenon, float], float]

@@ -8,44 +8,21 @@ A tolerance may be widened by what the certificate of the translation states for
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Literal
 
+from pydantic import ValidationError
+
+from vitrail.base.fault import Fault
 from vitrail.base.phenomenon import Phenomenon
-from vitrail.judge.comparison import TolerancePart
 from vitrail.judge.reference_files import read_yaml
+from vitrail.judge.rules import Rule, ThresholdFile, message_of
 
-Kind = Literal["relative", "of_patch", "absolute"]
-KINDS: tuple[Kind, ...] = ("relative", "of_patch", "absolute")
 THRESHOLDS = "thresholds.yaml"
 
 
 class ThresholdError(Exception):
     """The file of thresholds lacks a rule or has a wrong one; the message names the metric."""
-
-
-@dataclass(frozen=True)
-class Rule:
-    """How far one metric may be from its ideal; ``certificate`` is what a residual of 1 is worth, as ``kind``."""
-
-    kind: Kind
-    amount: float
-    reason: str
-    certificate: float | None = None
-
-    def part(self, ideal: float, half_edge_m: float) -> TolerancePart:
-        """The tolerance in the metric's unit, for an ideal value and a patch."""
-        return TolerancePart(source="threshold", amount=self.amount * self.size(ideal, half_edge_m), reason=self.reason)
-
-    def widening(self, residual: float, ideal: float, half_edge_m: float) -> float:
-        """What a relative ``residual`` of the translation is worth in the metric's unit."""
-        usual = 0.0 if self.kind == "absolute" else 1.0
-        worth = usual if self.certificate is None else self.certificate
-        return residual * worth * self.size(ideal, half_edge_m)
-
-    def size(self, ideal: float, half_edge_m: float) -> float:
-        return {"relative": abs(ideal), "of_patch": half_edge_m, "absolute": 1.0}[self.kind]
 
 
 @dataclass(frozen=True)
@@ -86,41 +63,19 @@ def own_references() -> Path:
 
 def read_thresholds(path: Path) -> Thresholds:
     """Raises ThresholdError for anything that is not a rule."""
-    found = read_yaml(path)
-    rate = found.get("suite_false_alarm_rate", {}).get("value")
-    if not isinstance(rate, float) or not 0 < rate < 1:
-        raise ThresholdError(f"{path}: suite_false_alarm_rate.value is {rate!r}; write a rate between 0 and 1")
-    own = {name: _rule(path, name, entry) for name, entry in found.get("metrics", {}).items()}
-    metrics = {name: _spelt_out(rule, own) for name, rule in own.items()}
-    phenomena = {
-        Phenomenon(name): {
-            metric: _spelt_out(_rule(path, f"{name}.{metric}", entry), own) for metric, entry in rules.items()
-        }
-        for name, rules in found.get("phenomena", {}).items()
-    }
-    stored = {name: _rule(path, f"stored_image.{name}", each) for name, each in found.get("stored_image", {}).items()}
-    return Thresholds(rate, metrics, phenomena, stored)
-
-
-def _rule(path: Path, name: str, entry: Mapping[str, Any]) -> Rule:
-    """One rule: exactly one kind, an amount above or at 0, a reason."""
-    unknown = set(entry) - {*KINDS, "certificate", "reason"}
-    kinds = [kind for kind in KINDS if kind in entry]
-    if unknown or len(kinds) != 1:
-        raise ThresholdError(
-            f"{path}: {name} takes one of {', '.join(KINDS)}, `certificate` and `reason`, not {unknown}"
+    try:
+        written = ThresholdFile.model_validate(read_yaml(path))
+        own = {name: rule.read({}) for name, rule in written.metrics.items() if rule.same_as is None}
+        return Thresholds(
+            written.suite_false_alarm_rate.value,
+            {name: rule.read(own) for name, rule in written.metrics.items()},
+            {
+                name: {metric: rule.read(own) for metric, rule in each.items()}
+                for name, each in written.phenomena.items()
+            },
+            {name: rule.read(own) for name, rule in written.stored_image.items()},
         )
-    amount, reason = entry[kinds[0]], str(entry.get("reason", "")).strip()
-    if not isinstance(amount, int | float) or not 0 <= amount < float("inf"):
-        raise ThresholdError(f"{path}: {name}.{kinds[0]} is {amount!r}; write a number at or above 0")
-    if not reason:
-        raise ThresholdError(f"{path}: {name} has no reason; say why {amount:g} and not half or twice of it")
-    scale = entry.get("certificate")
-    return Rule(kinds[0], float(amount), reason, None if scale is None else float(scale))
-
-
-def _spelt_out(rule: Rule, others: Mapping[str, Rule]) -> Rule:
-    """A reason of the form ``as other_metric, and more`` with the other metric's reason in its place."""
-    words = rule.reason.removeprefix("as ")
-    other = others.get(words.split(",")[0].split(" ")[0]) if words != rule.reason else None
-    return rule if other is None else replace(rule, reason=f"{rule.reason}: {other.reason}")
+    except ValidationError as error:
+        raise ThresholdError(f"{path}: {message_of(error)}") from None
+    except Fault as fault:
+        raise ThresholdError(f"{path}: {fault}") from None

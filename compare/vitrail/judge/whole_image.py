@@ -10,7 +10,7 @@ from vitrail.images.exr import ImageLayers
 from vitrail.judge.comparison import Pair, Verdict
 from vitrail.judge.plain import plain
 from vitrail.judge.records import GlobalMetric
-from vitrail.judge.thresholds import Rule
+from vitrail.judge.rules import Rule
 from vitrail.metrics.measurement import Measurement, MetricError
 from vitrail.metrics.whole_image import measure_image
 

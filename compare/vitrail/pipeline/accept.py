@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
@@ -151,19 +151,3 @@ def _older(loaded: Loaded, folder: Path) -> tuple[Stored | None, str]:
         return read_stored(folder, loaded.path.stem, scene_hash(loaded.scene)), ""
     except ReferencesError as error:
         return None, str(error)
-
-
-def decisions_of(path: Path) -> Sequence[Mapping[str, str]]:
-    """What the report's reader decided: (scene, decision, because, content) each; content is that of the image.
-
-    Raises ReferencesError.
-    """
-    try:
-        found = json.loads(path.read_text(encoding="utf-8"))
-        decisions = found["decisions"] if found["vitrail_decisions"] == 1 else None
-        assert decisions is not None and all(
-            {"scene", "decision", "because", "content"} <= set(each) for each in decisions
-        )
-    except (OSError, ValueError, KeyError, TypeError, AssertionError):
-        raise ReferencesError(f"{path}: is no file of decisions; export one from the report") from None
-    return decisions

@@ -88,8 +88,8 @@ def _decoded(raw: bytes, path: Path) -> str:
     for index, character in enumerate(text):
         if character < " " and character not in "\t\r\n" or character == "\x7f":
             line, col = _line_col(text[:index])
-            what = f"control character 0x{ord(character):02x}; this looks like a binary file"
-            raise SceneErrors([Diagnostic(str(path), line, col, what.split("; ")[0], "save the scene as plain text")])
+            what = f"control character 0x{ord(character):02x}"
+            raise SceneErrors([Diagnostic(str(path), line, col, what, "save the scene as plain text")])
     return text
 
 

@@ -124,8 +124,8 @@ def skies_of(scene: Scene, folder: Path, refusals: Refusals) -> Skies:
         try:
             radiance = read_sky(folder / light.emitter.file)
         except ImageError as error:
-            what, _, remedy = str(error).rpartition("; ")
-            refused.append(refusals.at(f"the image of the sky is of no use: {what}", remedy, *path))
+            what = f"the image of the sky is of no use: {error.file}: {error.what}"
+            refused.append(refusals.at(what, error.remedy, *path))
             continue
         if found:
             what, remedy = "POV-Ray shows one image of the sky", "add the images up into one"
