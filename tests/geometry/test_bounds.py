@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from vitrail.geometry.bounds import bounds_of, bounds_of_light
-from vitrail.geometry.inside import depth_in
+from vitrail.geometry.lamp import bounds_of_light
+from vitrail.geometry.placement import place
 from vitrail.scene.model import Light, Object
 
 TURNS = ([0, 0, 0], [90, 0, 0], [20, -35, 70])
@@ -31,10 +31,10 @@ def solid(kind: str, turn: list[float]) -> Object:
 @pytest.mark.parametrize("turn", TURNS)
 @pytest.mark.parametrize("kind", SOLIDS)
 def test_bounds_hold_every_inner_point_and_are_no_larger_than_the_turned_box(kind: str, turn: list[float]) -> None:
-    item = solid(kind, turn)
-    bounds = bounds_of(item)
+    item = place(solid(kind, turn))
+    bounds = item.bounds
     points = np.random.default_rng(1).uniform(-1.2, 1.6, (100_000, 3))
-    inside = points[depth_in(item, points) > 0]
+    inside = points[item.depth(points) > 0]
     assert len(inside) > 500
     assert (inside >= np.array(bounds.low)).all()
     assert (inside <= np.array(bounds.high)).all()
@@ -50,7 +50,7 @@ def test_flat_bounds_hold_their_edge(kind: str) -> None:
         "disc": {"center": [0.1, 0.2, 0.3], "normal": [1, 2, 3], "radius": 0.5},
         "rectangle": {"center": [0.1, 0.2, 0.3], "u": [0.4, 0.1, 0], "v": [0, 0, 0.3]},
     }
-    bounds = bounds_of(Object.model_validate({"name": "it", "material": "m", kind: shapes[kind]}))
+    bounds = place(Object.model_validate({"name": "it", "material": "m", kind: shapes[kind]})).bounds
     angle = np.linspace(0, 2 * np.pi, 1000)
     if kind == "disc":
         n = np.array([1, 2, 3]) / np.sqrt(14)
@@ -66,6 +66,6 @@ def test_flat_bounds_hold_their_edge(kind: str) -> None:
 
 def test_infinite_things_have_infinite_bounds() -> None:
     floor = {"name": "it", "material": "m", "plane": {"point": [0, 0, 0], "normal": [0, 1, 0]}}
-    assert not bounds_of(Object.model_validate(floor)).is_finite
+    assert not place(Object.model_validate(floor)).bounds.is_finite
     sun = {"name": "sun", "directional": {"direction": [0, -1, 0], "irradiance": 1}}
     assert not bounds_of_light(Light.model_validate(sun)).is_finite

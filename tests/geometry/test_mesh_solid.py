@@ -8,9 +8,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from vitrail.geometry.frame import Frame
 from vitrail.geometry.mesh_file import read_triangles
 from vitrail.geometry.mesh_solid import HAIR, MeshSolid, fault_of_solid
-from vitrail.geometry.placement import Frame
 from vitrail.scene.model import Mesh
 
 FOLDER = Path(__file__).parents[1] / "malformed"

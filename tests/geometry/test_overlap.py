@@ -8,19 +8,19 @@ from typing import Any
 import numpy as np
 import pytest
 
-from vitrail.geometry.distance import distance_to_surface
-from vitrail.geometry.inside import contains, depth_in
 from vitrail.geometry.overlap import overlap
+from vitrail.geometry.placement import place
+from vitrail.geometry.solid import Solid
 from vitrail.scene.model import Object
 
 UNIT_BOX = {"min": (-1, -1, -1), "max": (1, 1, 1)}
 
 
-def solid(rotate_deg: Any = (0, 0, 0), translate: Any = (0, 0, 0), **shape: Any) -> Object:
-    return Object(name="a", material="m", rotate_deg=rotate_deg, translate=translate, **shape)
+def solid(rotate_deg: Any = (0, 0, 0), translate: Any = (0, 0, 0), **shape: Any) -> Solid:
+    return place(Object(name="a", material="m", rotate_deg=rotate_deg, translate=translate, **shape))
 
 
-def ball(x: float, radius: float = 1, y: float = 0, z: float = 0) -> Object:
+def ball(x: float, radius: float = 1, y: float = 0, z: float = 0) -> Solid:
     return solid(sphere={"center": (x, y, z), "radius": radius})
 
 
@@ -57,23 +57,23 @@ INSIDE = [
 
 
 @pytest.mark.parametrize(("item", "inside", "depth", "outside"), INSIDE)
-def test_depth_inside_each_shape(item: Object, inside: Any, depth: float, outside: Any) -> None:
-    assert depth_in(item, np.array([inside]))[0] == pytest.approx(depth, rel=1e-12)
-    assert contains(item, inside) and not contains(item, outside)
+def test_depth_inside_each_shape(item: Solid, inside: Any, depth: float, outside: Any) -> None:
+    assert item.depth(np.array([inside]))[0] == pytest.approx(depth, rel=1e-12)
+    assert item.contains(inside) and not item.contains(outside)
 
 
 def test_a_line_that_enters_and_leaves_a_profile_is_outside_before_it() -> None:
     bar = solid(prism={"profile": [(0, 0), (2, 0), (2, 1), (0, 1)], "height": 9})
-    assert depth_in(bar, np.array([(-1, 0.5, 0)]))[0] == -1
+    assert bar.depth(np.array([(-1, 0.5, 0)]))[0] == -1
 
 
 def test_flat_shapes_have_no_inside() -> None:
-    assert not contains(solid(disc={"center": (0, 0, 0), "normal": (0, 1, 0), "radius": 1}), (0, 0, 0))
+    assert not solid(disc={"center": (0, 0, 0), "normal": (0, 1, 0), "radius": 1}).contains((0, 0, 0))
 
 
 def test_the_hollow_face_of_a_lens_holds_glass_beyond_its_vertex() -> None:
     lens = solid(lens={"radius_front": 2, "radius_back": -3, "thickness": 0.2, "diameter": 1})
-    assert contains(lens, (0.49, 0, 0.12)) and not contains(lens, (0, 0, 0.12))
+    assert lens.contains((0.49, 0, 0.12)) and not lens.contains((0, 0, 0.12))
 
 
 # Two solids and how far they reach into each other; None where only the search can tell.
@@ -94,7 +94,7 @@ EXACT = [
 
 
 @pytest.mark.parametrize(("one", "two", "depth"), EXACT)
-def test_pairs_with_a_closed_form(one: Object, two: Object, depth: float) -> None:
+def test_pairs_with_a_closed_form(one: Solid, two: Solid, depth: float) -> None:
     found = overlap(one, two)
     assert found.exact
     # Each depth is reduced by the touching tolerance of 1e-9 of the solids' size, here below 1e-8.
@@ -137,17 +137,17 @@ def test_touching_is_not_overlapping() -> None:
         ),
     ],
 )
-def test_the_search_finds_shared_volume(one: Object, two: Object, shares: bool) -> None:
+def test_the_search_finds_shared_volume(one: Solid, two: Solid, shares: bool) -> None:
     found = overlap(one, two)
     assert bool(found) is shares and not found.exact
 
 
 def test_distances_to_surfaces() -> None:
     rectangle = solid(rectangle={"center": (0, 0, 0), "u": (1, 0, 0), "v": (0, 0, 2)})
-    assert distance_to_surface(rectangle, (0.5, 0, 1.5)) == 0
-    assert distance_to_surface(rectangle, (4, 0, 2)) == pytest.approx(3, rel=1e-15)
-    assert distance_to_surface(rectangle, (0, 2, 0)) == 2
+    assert rectangle.distance((0.5, 0, 1.5)) == 0
+    assert rectangle.distance((4, 0, 2)) == pytest.approx(3, rel=1e-15)
+    assert rectangle.distance((0, 2, 0)) == 2
     disc = solid(disc={"center": (0, 0, 0), "normal": (0, 1, 0), "radius": 1})
-    assert distance_to_surface(disc, (4, 4, 0)) == pytest.approx(5, rel=1e-15)
-    assert distance_to_surface(ball(0), (0, 3, 0)) == 2
-    assert distance_to_surface(solid(mesh={"file": "a.ply"}), (0, 0, 0)) is None
+    assert disc.distance((4, 4, 0)) == pytest.approx(5, rel=1e-15)
+    assert ball(0).distance((0, 3, 0)) == 2
+    assert solid(mesh={"file": "a.ply"}).distance((0, 0, 0)) == math.inf

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
+from vitrail.geometry.camera import View
 from vitrail.images.patch import make_grid, sample_patch
-from vitrail.images.view import View
 from vitrail.scene.model import Camera, Image, Patch
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from tests.plan.small_scenes import BALL, FLOOR, ball_over_floor, make
+from vitrail.geometry.world import World
 from vitrail.plan.chains import longest_chain
 from vitrail.scene.model import Scene
 
@@ -25,7 +26,7 @@ LAMP_INSIDE = "{name: lamp, point: {position: [0.5, 2, 0], intensity: 1}}"
     ],
 )
 def test_proven_chains(scene: Scene, expected: tuple[int, int]) -> None:
-    chain = longest_chain(scene)
+    chain = longest_chain(World.of_scene(scene))
     assert chain.proven
     assert (chain.reflections, chain.transmissions) == expected
 
@@ -41,7 +42,7 @@ def test_proven_chains(scene: Scene, expected: tuple[int, int]) -> None:
     ],
 )
 def test_no_proof_means_the_limits_of_the_scene(scene: Scene) -> None:
-    chain = longest_chain(scene)
+    chain = longest_chain(World.of_scene(scene))
     assert not chain.proven
     assert (chain.reflections, chain.transmissions) == (8, 64)
 
@@ -61,14 +62,14 @@ def test_no_proof_means_the_limits_of_the_scene(scene: Scene) -> None:
     ],
 )
 def test_what_reflects_only_totally_makes_no_reflection(scene: Scene) -> None:
-    chain = longest_chain(scene)
+    chain = longest_chain(World.of_scene(scene))
     assert not chain.proven
     assert (chain.reflections, chain.transmissions) == (0, 64)
 
 
 @pytest.mark.parametrize(("material", "mirrored"), [("window", 8), ("bubble", 0), ("flint", 0)])
 def test_light_enters_and_leaves_a_ball_once_however_often_it_is_mirrored_inside(material: str, mirrored: int) -> None:
-    chain = longest_chain(ball_over_floor(material))
+    chain = longest_chain(World.of_scene(ball_over_floor(material)))
     assert not chain.proven
     assert (chain.reflections, chain.transmissions) == (mirrored, 2)
 
@@ -77,10 +78,10 @@ def test_light_enters_and_leaves_a_ball_once_however_often_it_is_mirrored_inside
     "scene", [make(FLOOR, BALL % "mirror", SECOND % "mirror"), ball_over_floor("mirror", camera=INSIDE)]
 )
 def test_mirrors_alone_are_never_crossed(scene: Scene) -> None:
-    chain = longest_chain(scene)
+    chain = longest_chain(World.of_scene(scene))
     assert (chain.reflections, chain.transmissions, chain.proven) == (8, 0, False)
 
 
 def test_a_chain_never_exceeds_what_the_scene_allows() -> None:
-    chain = longest_chain(ball_over_floor("clear", transport="{max_transmissions: 1}"))
+    chain = longest_chain(World.of_scene(ball_over_floor("clear", transport="{max_transmissions: 1}")))
     assert (chain.reflections, chain.transmissions) == (0, 1)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from tests.plan.small_scenes import BALL, FLOOR, SUN, ball_over_floor, make
+from vitrail.geometry.world import World
 from vitrail.plan.light_paths import caustic_paths
 from vitrail.scene.model import Scene
 
@@ -24,7 +25,7 @@ LAMPS = {
 
 
 def names(scene: Scene) -> set[tuple[str, str, str]]:
-    return {(path.light, path.specular, path.receiver) for path in caustic_paths(scene)}
+    return {(path.light, path.specular, path.receiver) for path in caustic_paths(World.of_scene(scene))}
 
 
 @pytest.mark.parametrize(

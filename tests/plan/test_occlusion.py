@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.plan.small_scenes import FLOOR, SUN, ball_over_floor, make
-from vitrail.geometry.inside import depth_in
+from vitrail.geometry.world import World
 from vitrail.plan.occlusion import may_shadow
 
 coordinate = st.floats(-4, 4).map(lambda value: round(value, 2))
@@ -50,8 +50,8 @@ def test_a_shadow_that_some_ray_finds_is_never_denied(
     facing = ends[:, 1] > 0 if on_floor else ((ends - starts) * (starts - np.array(receiver[0]))).sum(axis=1) > 0
     steps = np.linspace(0.01, 1, 60)[None, :, None]
     way = (starts[facing, None, :] * (1 - steps) + ends[facing, None, :] * steps).reshape(-1, 3)
-    blocked = len(way) > 0 and bool((depth_in(scene.objects[1], way) > 0).any())
-    assert may_shadow(scene, scene.lights[0], scene.objects[0], scene.objects[1]) or not blocked
+    blocked = len(way) > 0 and bool((World.of_scene(scene).solids[1].depth(way) > 0).any())
+    assert may_shadow(World.of_scene(scene), scene.lights[0], scene.objects[0], scene.objects[1]) or not blocked
 
 
 @pytest.mark.parametrize(
@@ -68,7 +68,7 @@ def test_nothing_below_the_floor_or_above_the_lamp_shadows_it(light: str, wall: 
         if receiver is FLOOR and "plane" in wall:
             continue
         scene = make(receiver, wall, lights=(light,))
-        assert not may_shadow(scene, scene.lights[0], scene.objects[0], scene.objects[1])
+        assert not may_shadow(World.of_scene(scene), scene.lights[0], scene.objects[0], scene.objects[1])
 
 
 def test_the_walls_of_a_room_do_not_shadow_each_other() -> None:
@@ -78,15 +78,15 @@ def test_the_walls_of_a_room_do_not_shadow_each_other() -> None:
         "{name: ceiling, rectangle: {center: [0, 4, 0], u: [2, 0, 0], v: [0, 0, 2]}, material: white}",
         lights=(LAMP % (0, 3, 0),),
     )
-    assert not any(may_shadow(room, room.lights[0], a, b) for a in room.objects for b in room.objects)
+    assert not any(may_shadow(World.of_scene(room), room.lights[0], a, b) for a in room.objects for b in room.objects)
 
 
 def test_balls_beside_the_light_shadow_nothing() -> None:
     scene = make(BALL % ("target", 0, 0, 0, 1), BALL % ("wall", 5, 5, 0, 1), lights=(LAMP % (0, 5, 0),))
-    assert not may_shadow(scene, scene.lights[0], scene.objects[0], scene.objects[1])
+    assert not may_shadow(World.of_scene(scene), scene.lights[0], scene.objects[0], scene.objects[1])
 
 
 def test_glass_shadows_itself_and_an_opaque_ball_does_not() -> None:
     for material, itself in (("clear", True), ("white", False)):
         scene = ball_over_floor(material)
-        assert may_shadow(scene, scene.lights[0], scene.objects[1], scene.objects[1]) is itself
+        assert may_shadow(World.of_scene(scene), scene.lights[0], scene.objects[1], scene.objects[1]) is itself

@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from functools import cached_property
 
-from vitrail.geometry.mesh_of import with_full_paths
+from vitrail.geometry.shapes.mesh import PlacedMesh
+from vitrail.geometry.world import World
 from vitrail.scene.diagnostic import Diagnostic, Severity
 from vitrail.scene.load import Loaded
 from vitrail.scene.model import Scene
@@ -24,9 +25,16 @@ class Findings:
         return self.loaded.scene
 
     @cached_property
-    def with_full_paths(self) -> Scene:
-        """The scene with its meshes where they can be read."""
-        return with_full_paths(self.scene, self.loaded.path.parent)
+    def world(self) -> World:
+        """The scene in space, its meshes where they can be read."""
+        return World.of(self.loaded)
+
+    @cached_property
+    def world_without_meshes(self) -> World:
+        """The scene with its meshes unread: what one that is not closed holds, or hides, means nothing."""
+        if not any(isinstance(solid, PlacedMesh) for solid in self.world.solids):
+            return self.world
+        return World.of_scene(self.scene)
 
     @property
     def broken_objects(self) -> set[int]:

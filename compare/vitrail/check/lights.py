@@ -5,9 +5,7 @@ from __future__ import annotations
 from vitrail.base.vector import Vec, length
 from vitrail.check.findings import Findings
 from vitrail.check.skies import check_sky
-from vitrail.geometry.distance import distance_to_surface
-from vitrail.geometry.inside import contains
-from vitrail.geometry.room import is_room, place_of
+from vitrail.geometry.lamp import place_of
 from vitrail.scene.model import Ambient, Area, Checker, Environment, Light, Material
 
 TOUCH = 1e-9
@@ -72,18 +70,17 @@ def _strength(light: Light) -> Vec:
 
 def _check_place(findings: Findings, index: int, light: Light) -> None:
     """A lamp on a surface has no defined side; one inside something opaque lights nothing."""
-    place, scene = place_of(light), findings.scene
+    place, world = place_of(light), findings.world_without_meshes
     if place is None:
         return
     path = ("lights", index, light.emitter.key, _place_key(light))
-    for item in scene.objects:
-        distance = distance_to_surface(item, place)
-        if distance is not None and distance <= TOUCH * max(1e-300, length(place)):
+    for other, (item, solid) in enumerate(zip(world.scene.objects, world.solids, strict=True)):
+        if solid.distance(place) <= TOUCH * max(1e-300, length(place)):
             what = f"the light `{light.name}` lies on the surface of `{item.name}`"
             remedy = "move it off the surface, by a millimetre for example"
             report = findings.warning if isinstance(light.emitter, Area) else findings.error
             report(what, remedy, *path)
-        elif not scene.material_of(item).is_transmissive and contains(item, place) and not is_room(scene, item):
+        elif not world.material(other).is_transmissive and solid.contains(place) and not world.is_room(other):
             what = f"the light `{light.name}` is inside the opaque `{item.name}` and lights nothing outside"
             findings.warning(what, "move it out", *path)
 

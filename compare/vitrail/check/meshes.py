@@ -4,27 +4,25 @@ from __future__ import annotations
 
 from vitrail.check.findings import Findings
 from vitrail.geometry.mesh_file import MeshFileError
-from vitrail.geometry.mesh_of import solid_of
-from vitrail.geometry.mesh_solid import fault_of_solid
-from vitrail.geometry.placement import place
-from vitrail.scene.model import Mesh
+from vitrail.geometry.shapes.mesh import PlacedMesh
 
 
 def check_meshes(findings: Findings) -> None:
     """Refuse meshes that cannot be read, and those of glass that enclose nothing."""
-    for index, item in enumerate(findings.with_full_paths.objects):
-        if not isinstance(item.shape, Mesh) or index in findings.broken_objects:
+    for index, mesh in enumerate(findings.world.solids):
+        if not isinstance(mesh, PlacedMesh) or index in findings.broken_objects:
             continue
-        path, file = ("objects", index, "mesh", "file"), findings.scene.objects[index].shape
-        assert isinstance(file, Mesh)
+        path, file, item = ("objects", index, "mesh", "file"), mesh.shape.file, findings.scene.objects[index]
         try:
-            solid = solid_of(place(item))
+            solid = mesh.known
         except MeshFileError as error:
-            findings.error(f"`{file.file}` is of no use: {error}", "write it again as PLY or OBJ", *path)
+            findings.error(f"`{file}` is of no use: {error}", "write it again as PLY or OBJ", *path)
             continue
-        assert solid is not None
         if not findings.scene.material_of(item).is_transmissive:
             continue
+        # SciPy takes long to import, and few scenes have a mesh.
+        from vitrail.geometry.mesh_solid import fault_of_solid
+
         if (fault := fault_of_solid(solid)) is not None:
-            what = f"`{file.file}` {fault}, and `{item.name}` is of glass"
+            what = f"`{file}` {fault}, and `{item.name}` is of glass"
             findings.error(what, "close the mesh with outward triangles, or take an opaque material", *path)

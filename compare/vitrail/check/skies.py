@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from vitrail.check.files import file_problem
 from vitrail.check.findings import Findings
-from vitrail.check.shapes import file_problem
 
 
 def check_sky(findings: Findings, index: int, name: str) -> None:

@@ -11,8 +11,8 @@ from pathlib import Path
 
 import numpy as np
 
+from vitrail.geometry.frame import Frame
 from vitrail.geometry.obj_file import read_obj
-from vitrail.geometry.placement import Frame
 from vitrail.geometry.ply_file import read_ply
 from vitrail.geometry.raw_mesh import RawMesh
 from vitrail.scene.model import Mesh

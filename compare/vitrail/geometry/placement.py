@@ -1,19 +1,19 @@
-"""Where an object stands in the world: its rotation and translation applied, once, for everybody.
-
-``rotate_deg`` turns about the world axes through the origin, by x first, then y, then z; ``translate`` moves
-afterwards: world = R local + origin with R = Rz Ry Rx. Shapes that are described by points and directions (sphere,
-plane, rectangle, disc, cylinder, cone) are moved into the world; the others (box, prism, lens, mesh) keep their own
-axes and carry the frame.
-"""
+"""From a shape of the language to the solid that stands for it: the one place that knows every family of shapes."""
 
 from __future__ import annotations
 
-import math
-from dataclasses import dataclass
-from functools import lru_cache
+from pathlib import Path
 from typing import assert_never
 
-from vitrail.base.vector import Vec, add, dot
+from vitrail.geometry.frame import Frame, frame_of
+from vitrail.geometry.shapes.axial import PlacedCone, PlacedCylinder
+from vitrail.geometry.shapes.box import PlacedBox
+from vitrail.geometry.shapes.flat import PlacedDisc, PlacedPlane, PlacedRectangle
+from vitrail.geometry.shapes.lens import PlacedLens
+from vitrail.geometry.shapes.mesh import PlacedMesh
+from vitrail.geometry.shapes.prism import PlacedPrism
+from vitrail.geometry.shapes.sphere import PlacedSphere
+from vitrail.geometry.solid import Solid
 from vitrail.scene.model import (
     Box,
     Cone,
@@ -29,117 +29,35 @@ from vitrail.scene.model import (
     Sphere,
 )
 
-Rows = tuple[Vec, Vec, Vec]
-IDENTITY: Rows = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+
+def place(item: Object, folder: Path | None = None) -> Solid:
+    """An object where its rotation and translation put it; a mesh is sought in ``folder``, or not read without it."""
+    return solid_of(item.shape, folder).moved(frame_of(item))
 
 
-@dataclass(frozen=True)
-class Frame:
-    """world = rotation local + origin; ``rotation`` holds the rows."""
-
-    origin: Vec = (0.0, 0.0, 0.0)
-    rotation: Rows = IDENTITY
-
-    @property
-    def is_identity(self) -> bool:
-        return self.rotation == IDENTITY and self.origin == (0.0, 0.0, 0.0)
-
-    def point(self, local: Vec) -> Vec:
-        return add(self.direction(local), self.origin)
-
-    def direction(self, local: Vec) -> Vec:
-        """Turn without moving; an unturned frame returns the same bits."""
-        if self.rotation == IDENTITY:
-            return local
-        return (dot(self.rotation[0], local), dot(self.rotation[1], local), dot(self.rotation[2], local))
-
-    def to_local(self, world: Vec) -> Vec:
-        moved = (world[0] - self.origin[0], world[1] - self.origin[1], world[2] - self.origin[2])
-        columns = tuple(zip(*self.rotation, strict=True))
-        return (dot(columns[0], moved), dot(columns[1], moved), dot(columns[2], moved))
-
-
-@dataclass(frozen=True)
-class Placed:
-    """A shape in the world; ``frame`` is the identity for shapes whose numbers are already world coordinates."""
-
-    shape: Shape
-    frame: Frame
-
-
-def frame_of_object(item: Object) -> Frame:
-    """The frame that ``rotate_deg`` and ``translate`` describe."""
-    return Frame(_vec(item.translate), _rotation(item.rotate_deg))
-
-
-@lru_cache(maxsize=4096)
-def place(item: Object) -> Placed:
-    """The object's shape in the world.
-
-    Shapes without own axes come back with world coordinates and the identity frame. Normals and half edges keep
-    their lengths to rounding.
-    """
-    frame = frame_of_object(item)
-    shape = item.shape
+def solid_of(shape: Shape, folder: Path | None = None) -> Solid:
+    """A shape in its own axes."""
+    own = Frame()
     match shape:
         case Sphere():
-            return _in_world(shape.model_copy(update={"center": frame.point(shape.center)}))
+            return PlacedSphere(shape, own)
         case Plane():
-            return _in_world(
-                shape.model_copy(update={"point": frame.point(shape.point), "normal": frame.direction(shape.normal)})
-            )
+            return PlacedPlane(shape, own)
         case Rectangle():
-            u, v = frame.direction(shape.u), frame.direction(shape.v)
-            return _in_world(shape.model_copy(update={"center": frame.point(shape.center), "u": u, "v": v}))
+            return PlacedRectangle(shape, own)
         case Disc():
-            return _in_world(
-                shape.model_copy(update={"center": frame.point(shape.center), "normal": frame.direction(shape.normal)})
-            )
-        case Cylinder() | Cone():
-            return _in_world(shape.model_copy(update={"from_": frame.point(shape.from_), "to": frame.point(shape.to)}))
-        case Box() | Prism() | Lens() | Mesh():
-            return Placed(shape, frame)
+            return PlacedDisc(shape, own)
+        case Box():
+            return PlacedBox(shape, own)
+        case Cylinder():
+            return PlacedCylinder(shape, own)
+        case Cone():
+            return PlacedCone(shape, own)
+        case Prism():
+            return PlacedPrism(shape, own)
+        case Lens():
+            return PlacedLens(shape, own)
+        case Mesh():
+            return PlacedMesh(shape, own, None if folder is None else (folder / shape.file).resolve())
         case _:
             assert_never(shape)
-
-
-def _in_world(shape: Shape) -> Placed:
-    return Placed(shape, Frame())
-
-
-def _rotation(rotate_deg: Vec) -> Rows:
-    """Rz Ry Rx with quarter turns exact, so that a scene turned by 90 degrees is turned to the last bit."""
-    rotation = IDENTITY
-    for axis in range(3):
-        if rotate_deg[axis] != 0:
-            rotation = _product(_turn(axis, rotate_deg[axis]), rotation)
-    return rotation
-
-
-def _turn(axis: int, angle_deg: float) -> Rows:
-    c, s = _cosine_and_sine(angle_deg)
-    match axis:
-        case 0:
-            return ((1.0, 0.0, 0.0), (0.0, c, -s), (0.0, s, c))
-        case 1:
-            return ((c, 0.0, s), (0.0, 1.0, 0.0), (-s, 0.0, c))
-        case _:
-            return ((c, -s, 0.0), (s, c, 0.0), (0.0, 0.0, 1.0))
-
-
-def _cosine_and_sine(angle_deg: float) -> tuple[float, float]:
-    """Cosine and sine, exact at multiples of 90 degrees."""
-    quarter, rest = divmod(angle_deg, 90.0)
-    if rest == 0:
-        return ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))[int(quarter) % 4]
-    return math.cos(math.radians(angle_deg)), math.sin(math.radians(angle_deg))
-
-
-def _product(a: Rows, b: Rows) -> Rows:
-    columns = tuple(zip(*b, strict=True))
-    rows = tuple((dot(row, columns[0]), dot(row, columns[1]), dot(row, columns[2])) for row in a)
-    return (rows[0], rows[1], rows[2])
-
-
-def _vec(value: Vec) -> Vec:
-    return (float(value[0]), float(value[1]), float(value[2]))

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from scipy import sparse
 
-from vitrail.images.view import View
+from vitrail.geometry.camera import View
 from vitrail.scene.model import Camera, Image, Patch
 
 SUPERSAMPLES = 4

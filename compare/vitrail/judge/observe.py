@@ -12,9 +12,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from vitrail.base.phenomenon import Phenomenon
+from vitrail.geometry.camera import View
 from vitrail.images.exr import ImageLayers
 from vitrail.images.patch import PatchGrid, PatchSamples, make_grid, sample_patch
-from vitrail.images.view import View
 from vitrail.judge.comparison import Pair, PatchRecord, Profile
 from vitrail.judge.patch_light import PatchLight, patch_light
 from vitrail.judge.plain import plain

@@ -16,12 +16,12 @@ from typing import Any
 
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.base.vector import length
-from vitrail.geometry.distance import distance_to_surface
+from vitrail.geometry.shapes.mesh import PlacedMesh
 from vitrail.geometry.world import World
 from vitrail.optics.dispersion import reference_ior
 from vitrail.plan.occlusion import may_shadow
 from vitrail.plan.plan import Plan
-from vitrail.scene.model import Ggx, Material, Object, Scene
+from vitrail.scene.model import Ggx, Material, Object, Patch, Scene
 
 P = Phenomenon
 BLACK = (0.0, 0.0, 0.0)
@@ -47,7 +47,7 @@ class Ablation:
 def ablations(world: World, plan: Plan) -> tuple[Ablation, ...]:
     """Everything that can be switched off in a scene and that its plan requires, the narrowest change first."""
     scene = world.scene
-    found = [*_of_materials(scene, plan), *_of_light(scene, plan), *_of_bodies(scene, plan)]
+    found = [*_of_materials(scene, plan), *_of_light(world, plan), *_of_bodies(scene, plan)]
     return tuple(each for each in found if each.scene != scene and each.scene.objects)
 
 
@@ -84,15 +84,15 @@ def _straight_on(scene: Scene) -> Ablation:
     return Ablation(P.REFRACTION.value, words, frozenset(absent), frozenset(touched), _with_materials(scene, _unbent))
 
 
-def _of_light(scene: Scene, plan: Plan) -> list[Ablation]:
+def _of_light(world: World, plan: Plan) -> list[Ablation]:
     """Indirect light, and the shadows of opaque bodies."""
-    found = []
+    scene, found = world.scene, []
     if plan.requires(P.INDIRECT_LIGHT):
         transport = scene.transport.model_copy(update={"indirect": "none"})
         own, dark = frozenset({P.INDIRECT_LIGHT}), scene.model_copy(update={"transport": transport})
         found.append(Ablation(P.INDIRECT_LIGHT.value, "surfaces do not light each other", own, own, dark))
     if plan.requires(P.SHADOW):
-        names = {item.name for item in _blockers(scene)}
+        names = {item.name for item in _blockers(world)}
         kept = tuple(item for item in scene.objects if item.name not in names)
         touched = frozenset({P.SHADOW, P.INDIRECT_LIGHT})
         words = "opaque bodies that may shadow the patch are taken away"
@@ -195,19 +195,21 @@ def _split(scene: Scene) -> tuple[Phenomenon, ...]:
     return (P.REFRACTION,) if has_fresnel else ()
 
 
-def _blockers(scene: Scene) -> tuple[Object, ...]:
+def _blockers(world: World) -> tuple[Object, ...]:
     """Opaque bodies that may stand between a light and a surface with a patch, and carry none themselves."""
-    carriers = [item for item in scene.objects if any(_carries(item, scene, n) for n in range(len(scene.observe)))]
+    scene = world.scene
+    patches = [observation.patch for observation in scene.observe]
+    carriers = [item for item in scene.objects if any(_carries(world, item, patch) for patch in patches)]
     opaque = [item for item in scene.objects if not scene.material_of(item).is_specular and item not in carriers]
     return tuple(
         item
         for item in opaque
-        if any(may_shadow(scene, light, carrier, item) for light in scene.lights for carrier in carriers)
+        if any(may_shadow(world, light, carrier, item) for light in scene.lights for carrier in carriers)
     )
 
 
-def _carries(item: Object, scene: Scene, observation: int) -> bool:
+def _carries(world: World, item: Object, patch: Patch) -> bool:
     """Whether a patch lies on an object; on a mesh, which is not read here, it may."""
-    patch = scene.observe[observation].patch
-    distance = distance_to_surface(item, patch.center)
-    return distance is None or distance <= ON_SURFACE * (length(patch.u) + length(patch.v) + length(patch.center))
+    near = ON_SURFACE * (length(patch.u) + length(patch.v) + length(patch.center))
+    solid = world.solid(item)
+    return isinstance(solid, PlacedMesh) or solid.distance(patch.center) <= near

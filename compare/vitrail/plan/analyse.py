@@ -16,7 +16,7 @@ from vitrail.scene.model import Scene
 def analyse(world: World) -> Plan:
     """What the scene requires; for any scene that passed ``check``."""
     scene = world.scene
-    facts = facts_of(scene)
+    facts = facts_of(world)
     entries = {phenomenon: requirement(phenomenon, facts) for phenomenon in Phenomenon}
     left_out = [warning for entry in entries.values() for warning in entry.left_out]
     return Plan(

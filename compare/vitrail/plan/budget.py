@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from vitrail.base.changed import changed
 from vitrail.base.phenomenon import Phenomenon
-from vitrail.geometry.bounds import bounds_of, bounds_of_patch, extent_of
+from vitrail.geometry.patch import bounds_of_patch
 from vitrail.geometry.world import World
 from vitrail.plan.plan import Plan
 from vitrail.plan.sampling import pixel_area_m2, samples_for
@@ -59,7 +59,7 @@ def settings_for(world: World, plan: Plan, quality: Quality = Quality.NORMAL, **
         asked = changed(asked, gather_radius_m=gather_radius_m(world, plan, asked.photons))
     is_free = "samples" not in overrides and scene.image.samples is None and asked.quality is not Quality.DRAFT
     if is_free and plan.requires(Phenomenon.CAUSTIC):
-        asked = changed(asked, samples=max(asked.samples, samples_for(scene, asked.gather_radius_m)))
+        asked = changed(asked, samples=max(asked.samples, samples_for(world, asked.gather_radius_m)))
     return asked
 
 
@@ -91,19 +91,19 @@ def gather_radius_m(world: World, plan: Plan, photons: int) -> float:
     scene = world.scene
     patches = [item.patch for item in scene.observe if item.phenomenon == Phenomenon.CAUSTIC]
     casters = {path.specular for path in plan.caustic_paths}
-    sizes = [bounds_of(item).radius_m for item in scene.objects if item.name in casters]
+    sizes = [world.bounds(item).radius_m for item in scene.objects if item.name in casters]
     if patches:
-        radius = min(_radius_on(scene, patch) for patch in patches)
+        radius = min(_radius_on(world, patch) for patch in patches)
     elif any(math.isfinite(size) for size in sizes):
         radius = min(sizes) * OBJECT_SHARE
     else:
-        radius = extent_of(scene).radius_m * SCENE_SHARE
+        radius = world.extent.radius_m * SCENE_SHARE
     return _short(radius * (USUAL_PHOTONS / max(photons, 1)) ** (1 / 6) if photons else radius)
 
 
-def _radius_on(scene: Scene, patch: Patch) -> float:
+def _radius_on(world: World, patch: Patch) -> float:
     """The radius that shows a patch as fine as it, and the picture, can be seen."""
-    return max(bounds_of_patch(patch).radius_m * PATCH_SHARE, math.sqrt(pixel_area_m2(scene, patch)) * PIXEL_SHARE)
+    return max(bounds_of_patch(patch).radius_m * PATCH_SHARE, math.sqrt(pixel_area_m2(world.view, patch)) * PIXEL_SHARE)
 
 
 def _short(value: float) -> float:

@@ -6,33 +6,36 @@ A total reflection counts with the crossings: it sends back the light that would
 from __future__ import annotations
 
 from vitrail.base.vector import length, subtract
-from vitrail.geometry.placement import place
-from vitrail.plan.convexity import NEAR, camera_may_be_inside, is_convex_or_flat, never_meets_itself
+from vitrail.geometry.shapes.flat import PlacedPlane
+from vitrail.geometry.shapes.sphere import PlacedSphere
+from vitrail.geometry.world import World
+from vitrail.plan.convexity import NEAR, camera_may_be_inside, never_meets_itself
 from vitrail.plan.plan import Chain
 from vitrail.plan.stated_error import SHARE
-from vitrail.scene.model import Area, Material, Object, Plane, Point, Scene, Sphere, Spot
+from vitrail.scene.model import Area, Material, Object, Point, Scene, Spot
 
 
-def longest_chain(scene: Scene) -> Chain:
+def longest_chain(world: World) -> Chain:
     """The longest specular chain of a scene, never above what ``transport`` allows.
 
     A few cases have a proof; every other keeps the limits of the scene, and says so. The literal readings of the paper
     bend light in ways that the proofs do not cover or count it otherwise, and interreflection starts new chains
     anywhere.
     """
+    scene = world.scene
     specular = [item for item in scene.objects if scene.material_of(item).is_specular]
     if not specular:
         return _chain(scene, 0, 0, "nothing mirrors or refracts")
     by_the_letter = scene.paper.refraction != "corrected" or scene.paper.count_transmission
     if not by_the_letter and scene.transport.indirect != "photons":
-        if len(specular) == 1 and _mirrors_once(scene, specular[0]):
+        if len(specular) == 1 and never_meets_itself(world, specular[0]):
             return _chain(scene, 1, 0, f"`{specular[0].name}` is the only mirror and never mirrors itself")
-        if len(specular) == 1 and _is_crossed_once(scene, specular[0]):
+        if len(specular) == 1 and _is_crossed_once(world, specular[0]):
             return _chain(scene, 0, 2, f"`{specular[0].name}` is a ball without mirror share: light gets in and out")
-        if all(_is_invisible(scene.material_of(item)) and is_convex_or_flat(item) for item in specular):
-            faces = sum(1 if isinstance(item.shape, Plane) else 2 for item in specular)
+        if all(_is_invisible(scene.material_of(item)) and world.solid(item).is_convex_or_flat for item in specular):
+            faces = sum(1 if isinstance(world.solid(item), PlacedPlane) else 2 for item in specular)
             return _chain(scene, 0, faces, "all glass has index 1 and mirrors nothing: light goes straight on")
-        if len(specular) == 1 and _traps_nothing(scene, specular[0]):
+        if len(specular) == 1 and _traps_nothing(world, specular[0]):
             return _in_and_out(scene, specular[0])
     return _unproven(scene, specular)
 
@@ -64,19 +67,14 @@ def _in_and_out(scene: Scene, ball: Object) -> Chain:
     return Chain(reflections, min(2, limits.max_transmissions), False, reason)
 
 
-def _traps_nothing(scene: Scene, item: Object) -> bool:
+def _traps_nothing(world: World, item: Object) -> bool:
     """A smooth ball of glass that all light enters from outside: it may be mirrored inside, but never totally.
 
     A ray inside a ball meets every face at the angle at which it entered. One that is totally reflected at the outside,
     where the ball is the thinner medium, never meets it again.
     """
-    material = scene.material_of(item)
-    return material.is_transmissive and material.roughness == 0 and _is_entered_from_outside(scene, item)
-
-
-def _mirrors_once(scene: Scene, item: Object) -> bool:
-    """An opaque mirror that is convex or flat, seen from outside: a mirrored ray leaves it for good."""
-    return never_meets_itself(scene, item)
+    material = world.scene.material_of(item)
+    return material.is_transmissive and material.roughness == 0 and _is_entered_from_outside(world, item)
 
 
 def _is_invisible(material: Material) -> bool:
@@ -90,24 +88,25 @@ def _is_invisible(material: Material) -> bool:
     )
 
 
-def _is_crossed_once(scene: Scene, item: Object) -> bool:
+def _is_crossed_once(world: World, item: Object) -> bool:
     """A smooth ball of glass without mirror share, entered from outside: what gets in leaves at the next face.
 
     A ray inside a ball meets every face at the angle at which it entered, so it is never totally reflected. That
     needs an index above 1 for every colour and a smooth face that scatters nothing (scattered light starts inside).
     """
-    return _passes_only(scene.material_of(item)) and _is_entered_from_outside(scene, item)
+    return _passes_only(world.scene.material_of(item)) and _is_entered_from_outside(world, item)
 
 
-def _is_entered_from_outside(scene: Scene, item: Object) -> bool:
+def _is_entered_from_outside(world: World, item: Object) -> bool:
     """A ball with the camera and all lamps outside."""
-    shape = place(item).shape
-    if not isinstance(shape, Sphere):
+    ball, lights = world.solid(item), world.scene.lights
+    if not isinstance(ball, PlacedSphere):
         return False
-    if any(isinstance(light.emitter, Area) for light in scene.lights) or camera_may_be_inside(scene, item):
+    if any(isinstance(light.emitter, Area) for light in lights) or camera_may_be_inside(world, item):
         return False
-    lamps = [light.emitter.position for light in scene.lights if isinstance(light.emitter, Point | Spot)]
-    return all(length(subtract(lamp, shape.center)) > shape.radius * (1 + NEAR) for lamp in lamps)
+    lamps = [light.emitter.position for light in lights if isinstance(light.emitter, Point | Spot)]
+    center, radius = ball.shape.center, ball.shape.radius
+    return all(length(subtract(lamp, center)) > radius * (1 + NEAR) for lamp in lamps)
 
 
 def _passes_only(material: Material) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from vitrail.geometry.world import World
 from vitrail.optics.bands import ALL_LIGHT, Band, band_model
 from vitrail.optics.dispersion import ior_by_band
 from vitrail.plan.chains import longest_chain
@@ -11,7 +12,6 @@ from vitrail.plan.lever import Lever, lever_on, lever_through
 from vitrail.plan.light_paths import caustic_paths, directly_visible, specular_objects, visible
 from vitrail.plan.light_reach import is_lit
 from vitrail.plan.plan import CausticPath, Chain
-from vitrail.plan.view import View, view_of
 from vitrail.scene.model import Light, Material, Object, Scene
 
 
@@ -24,8 +24,7 @@ class Facts:
     ``bands``: the bands of light that the scene asks for, if it has dispersive glass.
     """
 
-    scene: Scene
-    view: View
+    world: World
     direct: tuple[Object, ...]
     seen: tuple[Object, ...]
     paths: tuple[CausticPath, ...]
@@ -33,6 +32,10 @@ class Facts:
     active: tuple[Object, ...]
     chain: Chain
     bands: tuple[Band, ...]
+
+    @property
+    def scene(self) -> Scene:
+        return self.world.scene
 
     def material(self, item: Object) -> Material:
         return self.scene.material_of(item)
@@ -53,26 +56,26 @@ class Facts:
     def levers(self, item: Object, by_camera: bool) -> list[Lever]:
         """Where a turn of light at an object shows: on the receivers of its caustics, and if it is seen, through it."""
         receivers = {path.receiver for path in self.paths if path.specular == item.name} - {item.name}
-        found = [lever_on(self.view, item, other) for other in self.scene.objects if other.name in receivers]
+        found = [lever_on(self.world, item, other) for other in self.scene.objects if other.name in receivers]
         if by_camera and item in self.seen:
-            found.append(lever_through(self.view, item))
+            found.append(lever_through(self.world.view))
         return found
 
 
-def facts_of(scene: Scene) -> Facts:
+def facts_of(world: World) -> Facts:
     """Look at a scene once, for all phenomena."""
-    direct, paths = directly_visible(scene), caustic_paths(scene)
+    scene = world.scene
+    direct, paths = directly_visible(world), caustic_paths(world)
     # Once light is on its way between specular objects it may meet any of them.
     takes_part = bool(paths) or any(scene.material_of(item).is_specular for item in direct)
     disperses = any(scene.material_of(item).is_dispersive for item in scene.objects)
     return Facts(
-        scene=scene,
-        view=view_of(scene.camera, scene.image),
+        world=world,
         direct=direct,
-        seen=visible(scene),
+        seen=visible(world),
         paths=paths,
         lights=tuple(light for light in scene.lights if is_lit(light)),
         active=specular_objects(scene) if takes_part else (),
-        chain=longest_chain(scene),
+        chain=longest_chain(world),
         bands=band_model(scene.transport.bands).bands if disperses else (ALL_LIGHT,),
     )

@@ -10,10 +10,13 @@ import math
 from dataclasses import dataclass
 
 from vitrail.base.vector import Vec, length, subtract, unit
-from vitrail.geometry.bounds import Bounds, bounds_of, plane_distance
-from vitrail.geometry.placement import place
-from vitrail.plan.view import View, plane_hits
-from vitrail.scene.model import Object, Plane
+from vitrail.geometry.bounds import Bounds
+from vitrail.geometry.camera import View
+from vitrail.geometry.shapes.flat import PlacedPlane, plane_distance
+from vitrail.geometry.solid import Solid
+from vitrail.geometry.world import World
+from vitrail.plan.in_picture import plane_hits
+from vitrail.scene.model import Object
 
 
 @dataclass(frozen=True)
@@ -30,24 +33,24 @@ class Lever:
     through: bool = False
 
 
-def lever_on(view: View, source: Object, receiver: Object) -> Lever:
+def lever_on(world: World, source: Object, receiver: Object) -> Lever:
     """Light turned at ``source``, seen on ``receiver``."""
-    origin, pixel_at = bounds_of(source), view.pixel_size_m
-    target = _near_point(origin.centre, receiver) if origin.is_finite else view.position
+    view, origin, onto = world.view, world.bounds(source), world.solid(receiver)
+    target = _near_point(origin.centre, onto) if origin.is_finite else view.position
     way = length(subtract(target, origin.centre)) if origin.is_finite else math.inf
-    pixel = pixel_at(target)
+    pixel = view.pixel_size_m(target)
     typical = way / pixel if pixel > 0 and math.isfinite(way) else 1 / view.pixel_angle
-    return Lever(typical, _most_on(view, origin, receiver), f"on `{receiver.name}`")
+    return Lever(typical, _most_on(view, origin, onto), f"on `{receiver.name}`")
 
 
-def lever_through(view: View, source: Object) -> Lever:
-    """What is seen in or through ``source``: at worst everything behind it is far away, and turns as the ray does."""
+def lever_through(view: View) -> Lever:
+    """What is seen in or through a thing: at worst everything behind it is far away, and turns as the ray does."""
     if view.perspective:
         return Lever(1 / view.pixel_angle, 1 / view.pixel_angle, "in what is seen in or through it", True)
     return Lever(math.inf, math.inf, "in what is seen in or through it", True)
 
 
-def _most_on(view: View, origin: Bounds, receiver: Object) -> float:
+def _most_on(view: View, origin: Bounds, receiver: Solid) -> float:
     """An upper bound of d / D over the seen part of a receiver, over the angle of a pixel.
 
     Perspective: d <= D + |source camera|, so d / D <= 1 + |source camera| / D with the nearest D. Orthographic: the
@@ -64,32 +67,29 @@ def _most_on(view: View, origin: Bounds, receiver: Object) -> float:
     return (farthest + origin.radius_m) / view.pixel_size_m(view.position)
 
 
-def _nearest_m(point: Vec, item: Object) -> float:
-    """A distance that no point of an object falls below."""
-    shape = place(item).shape
-    if isinstance(shape, Plane):
-        return abs(plane_distance(shape, point))
-    bounds = bounds_of(item)
+def _nearest_m(point: Vec, solid: Solid) -> float:
+    """A distance that no point of a solid falls below."""
+    if isinstance(solid, PlacedPlane):
+        return abs(plane_distance(solid.shape, point))
+    bounds = solid.bounds
     if not bounds.is_finite:
         return 0.0
     outside = [max(low - p, p - high, 0.0) for low, p, high in zip(bounds.low, point, bounds.high, strict=True)]
     return math.hypot(*outside)
 
 
-def _near_point(point: Vec, item: Object) -> Vec:
+def _near_point(point: Vec, solid: Solid) -> Vec:
     """A typical point of a receiver: the foot on a plane, the middle of anything else."""
-    shape = place(item).shape
-    if isinstance(shape, Plane):
-        normal, height = unit(shape.normal), plane_distance(shape, point)
+    if isinstance(solid, PlacedPlane):
+        normal, height = unit(solid.shape.normal), plane_distance(solid.shape, point)
         return subtract(point, (normal[0] * height, normal[1] * height, normal[2] * height))
-    bounds = bounds_of(item)
+    bounds = solid.bounds
     return bounds.centre if bounds.is_finite else point
 
 
-def _seen_points(view: View, item: Object) -> list[Vec]:
+def _seen_points(view: View, solid: Solid) -> list[Vec]:
     """Corners of what an orthographic camera sees of a receiver."""
-    shape = place(item).shape
-    if isinstance(shape, Plane):
-        return plane_hits(view, shape)
-    bounds = bounds_of(item)
+    if isinstance(solid, PlacedPlane):
+        return plane_hits(view, solid.shape)
+    bounds = solid.bounds
     return list(bounds.corners) if bounds.is_finite else []

@@ -6,9 +6,10 @@ import math
 from typing import assert_never
 
 from vitrail.base.vector import Vec, cross, dot, length, subtract, unit
-from vitrail.geometry.bounds import Bounds, bounds_of
-from vitrail.geometry.placement import place
-from vitrail.scene.model import Area, Directional, Disc, Environment, Light, Object, Plane, Point, Rectangle, Spot
+from vitrail.geometry.bounds import Bounds
+from vitrail.geometry.shapes.flat import PlacedPlane
+from vitrail.geometry.solid import Solid
+from vitrail.scene.model import Area, Directional, Disc, Environment, Light, Plane, Point, Rectangle, Spot
 
 ANGLE_SLACK = 1e-9
 """Radians added to every cone before it is used as a proof of darkness."""
@@ -30,15 +31,14 @@ def is_lit(light: Light) -> bool:
             assert_never(emitter)
 
 
-def may_reach(light: Light, item: Object) -> bool:
-    """Whether light may fall on an object, ignoring what stands in between."""
+def may_reach(light: Light, solid: Solid) -> bool:
+    """Whether light may fall on a solid, ignoring what stands in between."""
     if not is_lit(light):
         return False
-    bounds, shape = bounds_of(item), place(item).shape
-    emitter = light.emitter
+    bounds, emitter = solid.bounds, light.emitter
     match emitter:
         case Directional():
-            return not (isinstance(shape, Plane) and _is_edge_on(emitter, shape))
+            return not (isinstance(solid, PlacedPlane) and _is_edge_on(emitter, solid.shape))
         case Point() | Environment():
             return True
         case Spot():

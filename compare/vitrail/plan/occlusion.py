@@ -9,61 +9,46 @@ from __future__ import annotations
 import math
 from typing import assert_never
 
-from vitrail.base.vector import Vec, add, cross, dot, length, scale, subtract, unit
-from vitrail.geometry.bounds import Bounds, bounds_of, bounds_of_light, plane_distance
-from vitrail.geometry.placement import place
+from vitrail.base.vector import Vec, add, dot, length, scale, subtract, unit
+from vitrail.geometry.bounds import Bounds
+from vitrail.geometry.lamp import bounds_of_light
+from vitrail.geometry.shapes.flat import plane_distance
+from vitrail.geometry.solid import Solid
+from vitrail.geometry.world import World
 from vitrail.plan.convexity import never_meets_itself
-from vitrail.scene.model import (
-    Area,
-    Box,
-    Cone,
-    Cylinder,
-    Directional,
-    Disc,
-    Environment,
-    Lens,
-    Light,
-    Mesh,
-    Object,
-    Plane,
-    Point,
-    Prism,
-    Rectangle,
-    Scene,
-    Sphere,
-    Spot,
-)
+from vitrail.scene.model import Area, Directional, Environment, Light, Object, Plane, Point, Spot
 
 SLACK = 1e-9
 """Relative room given to every comparison, so that rounding never proves a shadow away."""
 
 
-def may_shadow(scene: Scene, light: Light, receiver: Object, occluder: Object) -> bool:
+def may_shadow(world: World, light: Light, receiver: Object, occluder: Object) -> bool:
     """Whether ``occluder`` may take light of ``light`` from ``receiver``.
 
     An opaque convex or flat thing does not shadow itself: where it would, its surface faces away from the light. That
     is so for what is seen from outside.
     """
-    if lies_in_plane_of(receiver, occluder):
+    target, obstacle = world.solid(receiver), world.solid(occluder)
+    if lies_in_plane_of(target, obstacle):
         return False
     if occluder is receiver:
-        return not never_meets_itself(scene, occluder)
+        return not never_meets_itself(world, occluder)
     emitter = light.emitter
     match emitter:
         case Environment():
             return True
         case Directional():
-            return _shadows_parallel(emitter, receiver, occluder)
+            return _shadows_parallel(emitter, target, obstacle)
         case Point() | Spot() | Area():
-            return _shadows_from(bounds_of_light(light), receiver, occluder)
+            return _shadows_from(bounds_of_light(light), target, obstacle)
         case _:
             assert_never(emitter)
 
 
-def _shadows_from(lamp: Bounds, receiver: Object, occluder: Object) -> bool:
+def _shadows_from(lamp: Bounds, receiver: Solid, occluder: Solid) -> bool:
     """A lamp of finite size."""
-    screen, wall = carrier_plane(receiver), carrier_plane(occluder)
-    target, obstacle = bounds_of(receiver), bounds_of(occluder)
+    screen, wall = receiver.carrier, occluder.carrier
+    target, obstacle = receiver.bounds, occluder.bounds
     if wall is not None and target.is_finite and _is_on_one_side(wall, [*lamp.corners, *target.corners]):
         return False
     if screen is not None and obstacle.is_finite and not _is_between(screen, lamp.corners, obstacle):
@@ -74,12 +59,12 @@ def _shadows_from(lamp: Bounds, receiver: Object, occluder: Object) -> bool:
     return _distance_to_segment(obstacle.centre, lamp.centre, target.centre) <= reach * (1 + SLACK)
 
 
-def _shadows_parallel(sun: Directional, receiver: Object, occluder: Object) -> bool:
+def _shadows_parallel(sun: Directional, receiver: Solid, occluder: Solid) -> bool:
     """Light from infinity; with a size of its own it spreads the farther the obstacle is away."""
     back = scale(unit(sun.direction), -1.0)
-    target, obstacle = bounds_of(receiver), bounds_of(occluder)
+    target, obstacle = receiver.bounds, occluder.bounds
     if sun.angular_diameter_deg == 0:
-        screen, wall = carrier_plane(receiver), carrier_plane(occluder)
+        screen, wall = receiver.carrier, occluder.carrier
         if wall is not None and target.is_finite and _is_toward(wall, back, target):
             return False
         if screen is not None and obstacle.is_finite and _is_behind(screen, back, obstacle):
@@ -94,31 +79,15 @@ def _shadows_parallel(sun: Directional, receiver: Object, occluder: Object) -> b
     return ahead >= -reach and aside <= reach
 
 
-def lies_in_plane_of(item: Object, flat: Object) -> bool:
+def lies_in_plane_of(solid: Solid, flat: Solid) -> bool:
     """Whether all of a thing lies in the plane of another, flat one: no straight line leads from one to the other.
 
     A thing lies in its own plane too; to the bit, because what is out of it by a hair may be lit.
     """
-    plane, bounds = carrier_plane(flat), bounds_of(item)
-    if plane is None or not bounds.is_finite or carrier_plane(item) is None:
+    plane, bounds = flat.carrier, solid.bounds
+    if plane is None or not bounds.is_finite or solid.carrier is None:
         return False
     return all(plane_distance(plane, corner) == 0 for corner in bounds.corners)
-
-
-def carrier_plane(item: Object) -> Plane | None:
-    """The plane in which a flat thing lies; None for a body."""
-    shape = place(item).shape
-    match shape:
-        case Plane():
-            return shape
-        case Rectangle():
-            return Plane(point=shape.center, normal=cross(shape.u, shape.v))
-        case Disc():
-            return Plane(point=shape.center, normal=shape.normal)
-        case Sphere() | Box() | Cylinder() | Cone() | Prism() | Lens() | Mesh():
-            return None
-        case _:
-            assert_never(shape)
 
 
 def _is_on_one_side(plane: Plane, points: list[Vec]) -> bool:

@@ -7,21 +7,23 @@ light, found by way of the plane.
 from __future__ import annotations
 
 import math
+from typing import assert_never
 
 from vitrail.base.vector import Vec, dot, length, subtract, unit
-from vitrail.geometry.bounds import Bounds, bounds_of
-from vitrail.geometry.placement import place
-from vitrail.scene.model import Directional, Light, Object, Plane, Point, Scene, Spot
+from vitrail.geometry.bounds import Bounds
+from vitrail.geometry.shapes.flat import PlacedPlane
+from vitrail.geometry.world import World
+from vitrail.scene.model import Area, Directional, Environment, Light, Object, Plane, Point, Spot
 
 SLACK = 1e-9
 """Share of its size by which an object that touches a plane may reach through it."""
 
 
-def is_shut_off(scene: Scene, light: Light, item: Object) -> bool:
+def is_shut_off(world: World, light: Light, item: Object) -> bool:
     """Whether some other infinite plane has the light on one side and all of an object on the other."""
-    bounds = bounds_of(item)
-    planes = (place(other).shape for other in scene.objects if other is not item)
-    return bounds.is_finite and any(isinstance(plane, Plane) and _parts(plane, light, bounds) for plane in planes)
+    own = world.solid(item)
+    planes = (solid.shape for solid in world.solids if solid is not own and isinstance(solid, PlacedPlane))
+    return own.bounds.is_finite and any(_parts(plane, light, own.bounds) for plane in planes)
 
 
 def _parts(plane: Plane, light: Light, bounds: Bounds) -> bool:
@@ -43,5 +45,7 @@ def _lit_side(plane: Plane, normal: Vec, light: Light) -> int:
         case Point() | Spot():
             height = dot(normal, subtract(emitter.position, plane.point))
             return 0 if height == 0 else int(math.copysign(1, height))
-        case _:
+        case Area() | Environment():
             return 0
+        case _:
+            assert_never(emitter)

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from tests.lower.povray.real_povray import HALF_FLOAT, LOOKING_DOWN, lowered, rendered, scene
-from vitrail.geometry.inside import depth_in
+from vitrail.geometry.placement import place
 from vitrail.lower.povray import NotTranslatable
 from vitrail.scene.load import load
 
@@ -37,7 +37,7 @@ def test_a_solid_covers_what_its_definition_covers(name: str) -> None:
     step = (np.arange(48) + 0.5) / 20 - 1.2
     along = np.linspace(-1.5, 1.5, 601)
     points = np.stack(np.meshgrid(-step, step, along, indexing="ij"), axis=-1)[..., [1, 0, 2]].reshape(-1, 3)
-    depth = depth_in(loaded.scene.objects[0], points).reshape(48, 48, -1).max(axis=2)
+    depth = place(loaded.scene.objects[0]).depth(points).reshape(48, 48, -1).max(axis=2)
     # Lines that graze the surface within the steps along them may fall on either side.
     clear = abs(depth) > 0.006
     assert clear.mean() > 0.9 and np.array_equal(seen[clear], depth[clear] > 0)

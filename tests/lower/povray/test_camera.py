@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from tests.lower.povray.real_povray import rendered, scene
-from vitrail.geometry.camera import sight
 from vitrail.geometry.placement import place
-from vitrail.geometry.surface import checker_index, surface_coordinates
+from vitrail.geometry.surface import checker_index
+from vitrail.geometry.world import World
 from vitrail.scene.load import Loaded
 
 CAMERAS = {
@@ -38,7 +38,7 @@ def test_balls_are_seen_where_the_scene_projects_them(kind: str) -> None:
     image = rendered(loaded, samples=16).image.radiance
     rows, columns = np.mgrid[0:60, 0:90] + 0.5
     for channel, point in enumerate(POINTS):
-        seen = sight(loaded.scene.camera, loaded.scene.image, point)
+        seen = World.of(loaded).view.sight(point)
         weight = image[..., channel] / image[..., channel].sum()
         assert (weight * columns).sum() == pytest.approx((seen.x + 1) * 45, abs=0.05)
         assert (weight * rows).sum() == pytest.approx((1 - seen.y) * 30, abs=0.05)
@@ -62,11 +62,11 @@ def test_a_checker_lies_where_the_surface_coordinates_say() -> None:
     camera = "camera: {kind: orthographic, position: [0, 1, 0], look_at: [0, 0, 0], up: [0, 0, -1], height: 4}"
     loaded = scene(material, objects, camera=camera, image="image: {width: 40, height: 40}")
     image = rendered(loaded).image.radiance
-    floor = loaded.scene.objects[0].shape
+    floor = place(loaded.scene.objects[0]).surface_frame
     for row in range(40):
         for column in range(40):
             x, z = (column + 0.5) * 0.1 - 2, (row + 0.5) * 0.1 - 2
-            s, t = surface_coordinates(floor, (x, 0.0, z))
+            s, t = floor.coordinates((x, 0.0, z))
             # Leave out pixels within a tenth of an edge.
             if min(s / 0.5 % 1, t / 0.5 % 1) < 0.1 or max(s / 0.5 % 1, t / 0.5 % 1) > 0.9:
                 continue
@@ -91,14 +91,14 @@ def test_a_checker_on_other_flat_shapes_keeps_their_coordinates(shape: str, turn
         "- {name: a, directional: {direction: [0, -1, 0], irradiance: 3.14159265}}",
         "camera: {kind: orthographic, position: [0, 3, 0], look_at: [0, 0, 0], up: [0, 0, -1], height: 1.6}",
     )
-    image, flat = rendered(loaded).image.radiance, place(loaded.scene.objects[0]).shape
-    normal = np.cross(flat.u, flat.v) if hasattr(flat, "u") else np.array(flat.normal)
+    image, flat = rendered(loaded).image.radiance, place(loaded.scene.objects[0]).surface_frame
+    normal, middle = flat.normal, flat.origin
     for row in range(32):
         for column in range(32):
             # Look straight down onto the turned surface.
             x, z = (column + 0.5) * 0.05 - 0.8, (row + 0.5) * 0.05 - 0.8
-            aside = normal[0] * (x - flat.center[0]) + normal[2] * (z - flat.center[2])
-            s, t = surface_coordinates(flat, (x, flat.center[1] - aside / normal[1], z))
+            aside = normal[0] * (x - middle[0]) + normal[2] * (z - middle[2])
+            s, t = flat.coordinates((x, middle[1] - aside / normal[1], z))
             if (
                 min(s / 0.3 % 1, t / 0.3 % 1) > 0.1
                 and max(s / 0.3 % 1, t / 0.3 % 1) < 0.9

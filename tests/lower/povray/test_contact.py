@@ -14,6 +14,7 @@ import pytest
 from tests.lower.povray.real_povray import HALF_FLOAT, LOOKING_DOWN, lowered, plain_povray, rendered, scene
 from tests.lower.povray.test_bodies import face, slab, stack
 from vitrail.base.phenomenon import Phenomenon
+from vitrail.geometry.world import World
 from vitrail.lower.povray.bodies.flush import orders
 from vitrail.scene.load import load
 
@@ -182,7 +183,7 @@ def test_what_shares_a_face_with_what_it_takes_room_from(lower: str, higher: str
     - {{name: higher, {higher}, material: flint, priority: 2}}
     - {{name: lower, {lower}, material: glass, priority: 1}}
     """
-    found = orders(scene(MATERIALS, objects, lights="").scene, {1: 1})
+    found = orders(World.of(scene(MATERIALS, objects, lights="")), {1: 1})
     assert found == ({0: 2, 1: 1} if is_flush else {1: 1})
 
 

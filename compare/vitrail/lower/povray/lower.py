@@ -13,11 +13,10 @@ from functools import cached_property
 from pathlib import Path
 
 from vitrail.base.phenomenon import Phenomenon
-from vitrail.geometry.mesh_of import with_full_paths
 from vitrail.geometry.world import World
 from vitrail.lower.povray.bodies.contact import with_contacts
 from vitrail.lower.povray.bodies.gaps import with_gaps
-from vitrail.lower.povray.bodies.meshes import bounds_of_mesh, meshes_of
+from vitrail.lower.povray.bodies.meshes import refuse_unreadable_meshes
 from vitrail.lower.povray.bodies.nesting import nesting_of
 from vitrail.lower.povray.bodies.normalise import Normalisation, normalise
 from vitrail.lower.povray.certificate.certificate import Certificate
@@ -105,29 +104,29 @@ class PovrayScene:
 def lower_povray(world: World, plan: Plan, settings: Settings) -> PovrayScene:
     """The runs and the certificate. Raises NotTranslatable with the lines of the scene's file."""
     refusals, identity = Refusals(world.loaded), scene_hash(world.scene)
-    folder = world.folder or Path()
-    scene = with_full_paths(reduced(world.scene, plan), folder)
-    refuse_unsupported(scene, plan, refusals)
-    meshes, skies = meshes_of(scene, refusals), skies_of(scene, folder, refusals)
+    world = world.with_scene(reduced(world.scene, plan))
+    refuse_unsupported(world, plan, refusals)
+    refuse_unreadable_meshes(world, refusals)
+    skies = skies_of(world.scene, world.folder or Path(), refusals)
     radius = settings.gather_radius_m if plan.requires(Phenomenon.CAUSTIC) else 0.0
-    units = normalise(scene, [bounds_of_mesh(mesh) for mesh in meshes.values()], refusals, radius)
-    joined = with_contacts(scene, units)
-    scene = joined.scene
+    units = normalise(world, refusals, radius)
+    joined = with_contacts(world, units)
+    world, scene = joined.world, joined.world.scene
     mode = mode_of(scene, plan, settings, skies)
     indices = Indices(scene, mode.bands, mode.is_sliced)
     grid = Grid(EMITTERS[settings.quality], settings.seed)
-    targets = photon_targets(scene, plan, meshes, units, refusals)
+    targets = photon_targets(world, plan, units, refusals)
     lights = {
-        half: off_centre(sources(scene, units, replace(grid, is_mirrored=other), skies, refusals), targets, other)
+        half: off_centre(sources(world, units, replace(grid, is_mirrored=other), skies, refusals), targets, other)
         for half, other in (("a", False), ("b", True))
     }
-    photons = photon_pass(scene, plan, settings, lights["a"], len(mode.bands), targets, units, refusals)
-    depth, placement = trace_depth(plan, settings.quality), with_gaps(scene, units, joined.contacts)
-    nesting = nesting_of(scene, units, joined.pairs)
-    objects = ObjectText(scene, plan, units, photons is not None, indices, nesting, joined.under)
-    text = SceneText(scene, plan, units, lights, skies, photons, depth, placement, objects, settings.quality)
+    photons = photon_pass(plan, settings, lights["a"], len(mode.bands), targets, units, refusals)
+    depth, placement = trace_depth(plan, settings.quality), with_gaps(world, units, joined.contacts)
+    nesting = nesting_of(world, units, joined.pairs)
+    objects = ObjectText(world, plan, units, photons is not None, indices, nesting, joined.under)
+    text = SceneText(world, plan, units, lights, skies, photons, depth, placement, objects, settings.quality)
     translation = Translation(
-        scene=scene,
+        world=world,
         plan=plan,
         mode=mode,
         units=units,

@@ -8,7 +8,6 @@ chain), so that the tracer cannot spend time on it.
 from __future__ import annotations
 
 from dataclasses import asdict
-from pathlib import Path
 from typing import Any
 
 from vitrail.geometry.world import World
@@ -18,7 +17,6 @@ from vitrail.lower.tracer.shapes import lowered_shape
 from vitrail.plan.plan import Plan
 from vitrail.plan.reduced import reduced
 from vitrail.plan.settings import Settings
-from vitrail.plan.view import view_of
 from vitrail.scene.model import Ambient, Object, Scene
 from vitrail.scene.print import scene_hash
 
@@ -38,10 +36,10 @@ def lower_tracer(world: World, plan: Plan, settings: Settings, *, wavelength_nm:
         "title": scene.title,
         "scene_hash": scene_hash(scene),
         "image": {"width": scene.image.width, "height": scene.image.height},
-        "camera": _camera(scene),
+        "camera": _camera(world),
         "bands": [asdict(band) for band in bands],
         "materials": [lowered_material(name, kept, bands) for name in used],
-        "objects": [_object(item, used, folder) for item in scene.objects],
+        "objects": [_object(world, item, used) for item in scene.objects],
         "lights": [lowered_light(light, folder) for light in scene.lights],
         "transport": _transport(kept),
         "paper": scene.paper.model_dump(mode="json"),
@@ -50,10 +48,10 @@ def lower_tracer(world: World, plan: Plan, settings: Settings, *, wavelength_nm:
     }
 
 
-def _camera(scene: Scene) -> Json:
-    view = view_of(scene.camera, scene.image)
+def _camera(world: World) -> Json:
+    view = world.view
     return {
-        "kind": scene.camera.kind,
+        "kind": world.scene.camera.kind,
         "position": view.position,
         "forward": view.forward,
         "right": view.right,
@@ -63,12 +61,12 @@ def _camera(scene: Scene) -> Json:
     }
 
 
-def _object(item: Object, used: list[str], folder: Path | None) -> Json:
+def _object(world: World, item: Object, used: list[str]) -> Json:
     return {
         "name": item.name,
         "material": used.index(item.material),
         "priority": item.priority or 0,
-        "shape": lowered_shape(item, folder),
+        "shape": lowered_shape(world.solid(item), world.folder),
     }
 
 

@@ -6,7 +6,8 @@ from pathlib import Path
 from typing import Any, assert_never
 
 from vitrail.base.vector import unit
-from vitrail.geometry.placement import Frame, place
+from vitrail.geometry.frame import Frame
+from vitrail.geometry.solid import Solid
 from vitrail.scene.model import (
     Box,
     Cone,
@@ -14,7 +15,6 @@ from vitrail.scene.model import (
     Disc,
     Lens,
     Mesh,
-    Object,
     Plane,
     Prism,
     Rectangle,
@@ -24,10 +24,9 @@ from vitrail.scene.model import (
 Json = dict[str, Any]
 
 
-def lowered_shape(item: Object, folder: Path | None) -> Json:
+def lowered_shape(solid: Solid, folder: Path | None) -> Json:
     """One shape; normals come out with unit length."""
-    placed = place(item)
-    shape, frame = placed.shape, lowered_frame(placed.frame)
+    shape, frame = solid.shape, lowered_frame(solid.frame)
     match shape:
         case Sphere():
             return {"kind": "sphere", "center": shape.center, "radius": shape.radius}

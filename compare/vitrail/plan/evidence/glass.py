@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 
-from vitrail.geometry.bounds import bounds_of
 from vitrail.plan.evidence.words import colour, degrees, needed, not_needed
 from vitrail.plan.facts import Facts
 from vitrail.plan.plan import Requirement
@@ -57,7 +56,7 @@ def absorption(facts: Facts) -> Requirement:
     """Glass that takes light along the way; the longest straight way through it decides whether that shows."""
     evidence, left_out = [], []
     for item in facts.active_glass:
-        longest_m = 2 * bounds_of(item).radius_m
+        longest_m = 2 * facts.world.bounds(item).radius_m
         taken = [1 - kept for kept in _kept(facts.material(item), longest_m)]
         if max(taken) == 0:
             continue

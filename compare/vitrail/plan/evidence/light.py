@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from vitrail.geometry.bounds import bounds_of
 from vitrail.plan.convexity import never_meets_itself
 from vitrail.plan.evidence.words import LONGEST_LIST, colour, needed, not_needed
 from vitrail.plan.facts import Facts
@@ -34,7 +33,7 @@ def indirect_light(facts: Facts) -> Requirement:
         return not_needed("`transport.indirect` is none")
     if not facts.diffuse_seen:
         return not_needed("nothing diffuse can be seen")
-    if len(facts.scene.objects) == 1 and never_meets_itself(facts.scene, facts.scene.objects[0]):
+    if len(facts.scene.objects) == 1 and never_meets_itself(facts.world, facts.scene.objects[0]):
         return not_needed(f"`{facts.scene.objects[0].name}` is alone and never lights itself")
     brightest = max(max(facts.scene.material_of(item).diffuse_peak) for item in facts.scene.objects)
     if brightest < SHARE:
@@ -49,7 +48,7 @@ def _paths(facts: Facts, light_name: str, caster_name: str) -> str:
     scene = facts.scene
     light = next(item for item in scene.lights if item.name == light_name)
     caster = next(item for item in scene.objects if item.name == caster_name)
-    power_w = intercepted_power(light, bounds_of(caster))
+    power_w = intercepted_power(light, facts.world.bounds(caster))
     power = "" if power_w is None else f" (at most {power_w:.3g} W)"
     found = [path.receiver for path in facts.paths if (path.light, path.specular) == (light_name, caster_name)]
     receivers = ", ".join(f"`{name}`" for name in found[:LONGEST_LIST])

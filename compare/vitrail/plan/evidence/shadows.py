@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 
 from vitrail.base.vector import length, subtract
-from vitrail.geometry.bounds import bounds_of, bounds_of_light
+from vitrail.geometry.bounds import Bounds
+from vitrail.geometry.lamp import bounds_of_light
 from vitrail.plan.evidence.words import needed, not_needed, pixels
 from vitrail.plan.facts import Facts
 from vitrail.plan.lever import lever_on
@@ -17,12 +18,13 @@ from vitrail.scene.model import Area, Directional, Environment, Light, Object, P
 
 def shadow(facts: Facts) -> Requirement:
     """Refused only where no object can stand in any light of any seen diffuse surface."""
-    lit = [(light, item) for light in facts.lights for item in facts.diffuse_seen if may_reach(light, item)]
+    receivers = [(item, facts.world.solid(item)) for item in facts.diffuse_seen]
+    lit = [(light, item) for light in facts.lights for item, solid in receivers if may_reach(light, solid)]
     if not lit:
         return not_needed("no light reaches a diffuse surface that can be seen")
     evidence = []
     for light, receiver in lit:
-        occluders = [item for item in facts.scene.objects if may_shadow(facts.scene, light, receiver, item)]
+        occluders = [item for item in facts.scene.objects if may_shadow(facts.world, light, receiver, item)]
         if occluders:
             names = ", ".join(f"`{item.name}`" for item in occluders)
             evidence.append(
@@ -35,18 +37,18 @@ def shadow(facts: Facts) -> Requirement:
 
 def _edge(facts: Facts, light: Light, occluders: list[Object], receiver: Object) -> str:
     """The width of the penumbra of the first finite occluder, where the light has a size."""
-    finite = [item for item in occluders if item is not receiver and bounds_of(item).is_finite]
+    finite = [item for item in occluders if item is not receiver and facts.world.bounds(item).is_finite]
     if not finite:
         return ""
-    size = _apparent_size(light, finite[0])
+    size = _apparent_size(light, facts.world.bounds(finite[0]))
     if size == 0:
         return ""
-    lever = lever_on(facts.view, finite[0], receiver)
+    lever = lever_on(facts.world, finite[0], receiver)
     return f", with an edge about {pixels(size * lever.typical_px)} wide"
 
 
-def _apparent_size(light: Light, item: Object) -> float:
-    """Angle across a light as an object sees it, radians; 0 for points and parallel light, 2 pi for the sky."""
+def _apparent_size(light: Light, bounds: Bounds) -> float:
+    """Angle across a light as seen from these bounds, radians; 0 for points and parallel light, 2 pi for the sky."""
     emitter = light.emitter
     match emitter:
         case Directional():
@@ -57,7 +59,7 @@ def _apparent_size(light: Light, item: Object) -> float:
             if emitter.collimated:
                 return 0.0
             lamp = bounds_of_light(light)
-            away = length(subtract(lamp.centre, bounds_of(item).centre))
+            away = length(subtract(lamp.centre, bounds.centre))
             return 2 * math.atan2(lamp.radius_m, away)
         case Environment():
             return 2 * math.pi

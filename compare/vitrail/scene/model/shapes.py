@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Annotated, ClassVar
 
-from pydantic import Field, PrivateAttr, model_validator
+from pydantic import Field, model_validator
 
 from vitrail.base.fault import Fault
 from vitrail.scene.model.directions import refuse_same, refuse_slant, refuse_zero
@@ -20,7 +20,7 @@ class Sphere(Part):
 
 
 class Plane(Part):
-    """An infinite plane; its surface coordinates are those of ``frame_of`` in ``geometry/surface.py``."""
+    """An infinite plane; its surface coordinates are those of ``tangents`` in ``geometry/surface.py``."""
 
     key: ClassVar[str] = "plane"
 
@@ -173,7 +173,6 @@ class Mesh(Part):
 
     file: str
     smooth: Annotated[bool, Field(strict=True)] = True
-    _moved_m: float = PrivateAttr(default=0.0)  # outwards, by a translation; no matter of a scene file; see mesh_of
 
 
 Shape = Sphere | Plane | Rectangle | Disc | Box | Cylinder | Cone | Prism | Lens | Mesh

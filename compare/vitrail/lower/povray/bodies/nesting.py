@@ -13,13 +13,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from vitrail.geometry.inside import is_solid
-from vitrail.geometry.overlap import overlap
-from vitrail.geometry.placement import Placed, place
-from vitrail.lower.povray.bodies.gaps import smaller
+from vitrail.geometry.solid import Solid
+from vitrail.geometry.world import World
 from vitrail.lower.povray.bodies.normalise import Normalisation
 from vitrail.scene.absorption import absorption_per_m
-from vitrail.scene.model import Object, Scene
 
 HAIR = 4e-4
 """Units between the face of a higher solid and the cut in a lower one: four times what POV-Ray can tell apart [P 7]."""
@@ -33,7 +30,7 @@ class Cut:
     """
 
     by: int
-    placed: Placed
+    placed: Solid
     is_air: bool
     is_contact: bool
 
@@ -50,45 +47,37 @@ class Nesting:
     omitted: frozenset[int]
 
 
-def nesting_of(scene: Scene, units: Normalisation, contacts: frozenset[tuple[int, int]] = frozenset()) -> Nesting:
+def nesting_of(world: World, units: Normalisation, contacts: frozenset[tuple[int, int]] = frozenset()) -> Nesting:
     """Who is cut by whom; ``contacts`` are lower and higher solids that overlap in POV-Ray only."""
-    air = frozenset(index for index, item in enumerate(scene.objects) if _is_air(scene, item))
+    solids = range(len(world.solids))
+    air = frozenset(index for index in solids if _is_air(world, index))
     cuts = tuple(
         tuple(
-            _cut(by, higher, by in air, (index, by) in contacts, units)
-            for by, higher in enumerate(scene.objects)
-            if by != index and _displaces(scene, higher, lower)
+            _cut(world, by, by in air, (index, by) in contacts, units)
+            for by in solids
+            if by != index and world.displaces(by, index)
         )
-        for index, lower in enumerate(scene.objects)
+        for index in solids
     )
     hosts = tuple(
         tuple(
             lower
             for lower, found in enumerate(cuts)
-            if lower not in air
-            and any(cut.by == index for cut in found)
-            and scene.material_of(scene.objects[lower]).is_transmissive
+            if lower not in air and any(cut.by == index for cut in found) and world.material(lower).is_transmissive
         )
-        for index in range(len(scene.objects))
+        for index in solids
     )
     return Nesting(cuts, hosts, air)
 
 
-def _cut(by: int, higher: Object, is_air: bool, is_contact: bool, units: Normalisation) -> Cut:
-    placed = place(higher)
-    inner = None if is_air else smaller(placed, HAIR / units.scale)
-    return Cut(by, inner or placed, is_air, is_contact)
+def _cut(world: World, by: int, is_air: bool, is_contact: bool, units: Normalisation) -> Cut:
+    solid = world.solids[by]
+    inner = None if is_air else solid.grown(-HAIR / units.scale)
+    return Cut(by, inner or solid, is_air, is_contact)
 
 
-def _displaces(scene: Scene, higher: Object, lower: Object) -> bool:
-    """Whether glass of a higher priority takes room from a solid."""
-    if not (is_solid(higher) and is_solid(lower) and scene.material_of(higher).is_transmissive):
-        return False
-    return (higher.priority or 0) > (lower.priority or 0) and bool(overlap(higher, lower))
-
-
-def _is_air(scene: Scene, item: Object) -> bool:
+def _is_air(world: World, index: int) -> bool:
     """Whether a solid of glass only takes room away: index 1, everything passes."""
-    material = scene.material_of(item)
+    material = world.material(index)
     passes_all = material.ior == 1 and min(material.transmission) == 1 and max(absorption_per_m(material)) == 0
-    return is_solid(item) and passes_all and (item.priority or 0) > 0
+    return world.solids[index].is_closed and passes_all and world.priority(index) > 0

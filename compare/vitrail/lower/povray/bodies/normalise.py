@@ -8,15 +8,15 @@ two, so that no digit is lost: lengths in the scene description are units = (met
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import assert_never
 
 from vitrail.base.vector import Vec, length, scale, subtract
-from vitrail.geometry.bounds import Bounds, extent_of, together
+from vitrail.geometry.bounds import together
+from vitrail.geometry.shapes.mesh import PlacedMesh
+from vitrail.geometry.world import World
 from vitrail.lower.povray.bodies.curvature import curved_receivers, lost_share
 from vitrail.lower.povray.refusals.refusal import NotTranslatable, Refusals
-from vitrail.scene.model import Box, Cone, Cylinder, Disc, Lens, Mesh, Plane, Prism, Rectangle, Scene, Shape, Sphere
 
 LARGEST_EXTENT = 64.0
 """Extent in units that a scene is brought to (at most, and more than half of it)."""
@@ -50,18 +50,17 @@ class Normalisation:
         return metres * self.scale
 
 
-def normalise(
-    scene: Scene, meshes: Sequence[Bounds], refusals: Refusals, gather_radius_m: float = 0.0
-) -> Normalisation:
-    """The normalisation of a scene; raises NotTranslatable where no scale holds its smallest and its largest part.
+def normalise(world: World, refusals: Refusals, gather_radius_m: float = 0.0) -> Normalisation:
+    """The normalisation of a world; raises NotTranslatable where no scale holds its smallest and its largest part.
 
     ``gather_radius_m`` is that of the photons, or 0 without them.
     """
-    bounds = together([extent_of(scene), *meshes])
+    meshes = [solid.vertex_bounds for solid in world.solids if isinstance(solid, PlacedMesh)]
+    bounds = together([world.extent, *meshes])
     diameter = 2 * bounds.radius_m
-    smallest, thinnest = min(_features(scene), default=(diameter, None))
+    smallest, thinnest = min(_features(world), default=(diameter, None))
     factor = _power_of_two_below(LARGEST_EXTENT / diameter)
-    while factor * diameter > SMALLEST_EXTENT and _bent_share(scene, gather_radius_m, factor) > BENT_SHARE:
+    while factor * diameter > SMALLEST_EXTENT and _bent_share(world, gather_radius_m, factor) > BENT_SHARE:
         factor /= 2
     while smallest * factor < SMALLEST_FEATURE and diameter * factor * 2 <= WIDEST_EXTENT:
         factor *= 2
@@ -73,48 +72,24 @@ def normalise(
         raise NotTranslatable([refusals.at(what, "make it thicker or the scene smaller", "objects", thinnest)])
     centre = _centre(bounds.centre, diameter)
     result = Normalisation(centre, factor, diameter * factor)
-    if length(result.point(scene.camera.position)) > FARTHEST_CAMERA:
-        away = length(subtract(scene.camera.position, bounds.centre))
+    if length(result.point(world.scene.camera.position)) > FARTHEST_CAMERA:
+        away = length(subtract(world.scene.camera.position, bounds.centre))
         what = f"the camera is {away:.3g} m away from a scene of {diameter:.3g} m"
         raise NotTranslatable([refusals.at(what, "move it nearer; POV-Ray loses digits there", "camera", "position")])
     return result
 
 
-def _bent_share(scene: Scene, gather_radius_m: float, factor: float) -> float:
+def _bent_share(world: World, gather_radius_m: float, factor: float) -> float:
     """What the most curved receiver of photons loses at a scale."""
-    radii = [radius for _, radius in curved_receivers(scene)]
+    radii = [radius for _, radius in curved_receivers(world)]
     return max((lost_share(gather_radius_m * factor, radius * factor) for radius in radii), default=0.0)
 
 
-def _features(scene: Scene) -> Iterator[tuple[float, int]]:
-    """The smallest thickness of each solid object, metres, with its index."""
-    for index, item in enumerate(scene.objects):
-        thickness = thickness_of(item.shape)
-        if math.isfinite(thickness):
+def _features(world: World) -> Iterator[tuple[float, int]]:
+    """The smallest thickness of each solid object, metres, with its index; the walls of a mesh are not looked at."""
+    for index, solid in enumerate(world.solids):
+        if not isinstance(solid, PlacedMesh) and math.isfinite(thickness := solid.thickness_m):
             yield thickness, index
-
-
-def thickness_of(shape: Shape) -> float:
-    """The smallest thickness of a solid, metres; infinite for what is flat, open or a mesh."""
-    match shape:
-        case Sphere():
-            return 2 * shape.radius
-        case Plane() | Rectangle() | Disc() | Mesh():
-            return math.inf
-        case Box():
-            return min(high - low for low, high in zip(shape.min, shape.max, strict=True))
-        case Cylinder():
-            return min(2 * shape.radius, length(subtract(shape.to, shape.from_)))
-        case Cone():
-            return min(2 * max(shape.radius_from, shape.radius_to), length(subtract(shape.to, shape.from_)))
-        case Prism():
-            corners = shape.corners
-            edges = zip(corners, corners[1:] + corners[:1], strict=True)
-            return min(shape.height, *(math.dist(a, b) for a, b in edges))
-        case Lens():
-            return min(shape.thickness, shape.diameter)
-        case _:
-            assert_never(shape)
 
 
 def _power_of_two_below(value: float) -> float:

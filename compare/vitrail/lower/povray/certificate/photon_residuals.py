@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from vitrail.base.phenomenon import Phenomenon
+from vitrail.geometry.world import World
 from vitrail.lower.povray.bodies.curvature import curved_receivers, lost_share
 from vitrail.lower.povray.bodies.normalise import Normalisation
 from vitrail.lower.povray.bodies.panes import is_one_pane_deep
@@ -27,13 +28,13 @@ GRAZING_DEG = 84.3
 
 
 def photon_entries(
-    scene: Scene, mode: Mode, units: Normalisation, lights: Sequence[Source], skies: Skies, photons: PhotonPass | None
+    world: World, mode: Mode, units: Normalisation, lights: Sequence[Source], skies: Skies, photons: PhotonPass | None
 ) -> Iterator[Entry]:
     """Storage, kernel and incidence; nothing without photons."""
     if photons is None:
         return
-    caustic = Phenomenon.CAUSTIC
-    yield from _stored(scene, mode, lights, photons)
+    scene, caustic = world.scene, Phenomenon.CAUSTIC
+    yield from _stored(world, mode, lights, photons)
     if mode.shows_all_channels and (ratio := _channel_ratio(scene, skies)) > 1:
         reason = "channels share one exponent; the dimmest is rounded down by up to a step of the brightest"
         yield Entry(caustic, "photons", "each channel apart", "one exponent", min(1.0, ratio / 128), RELATIVE, reason)
@@ -47,7 +48,7 @@ def photon_entries(
         "the estimate blurs by the gather radius; between the engines the blur is the same",
     )
     yield from _rough_glass(scene)
-    yield from _curved_receivers(scene, units, photons)
+    yield from _curved_receivers(world, units, photons)
     yield from _moved_lamps(units, lights)
     yield Entry(
         caustic,
@@ -60,20 +61,21 @@ def photon_entries(
     )
 
 
-def _stored(scene: Scene, mode: Mode, lights: Sequence[Source], photons: PhotonPass) -> Iterator[Entry]:
+def _stored(world: World, mode: Mode, lights: Sequence[Source], photons: PhotonPass) -> Iterator[Entry]:
     """What 8 bits cut off: off all caustics, and off colour that light throws through glass."""
     item, meant, kept = "photons", "flux in double precision", "8 bits, truncated"
-    if has_exact_flux(scene, lights, photons):
+    if has_exact_flux(world, lights, photons):
         reason = "the light factor makes the main path's flux exact"
         yield Entry(Phenomenon.CAUSTIC, item, meant, kept, 0.0, RELATIVE, reason)
         return
     reason = "fluxes vary, up to one step is lost"
     yield Entry(Phenomenon.CAUSTIC, item, meant, kept, ONE_STEP, RELATIVE, reason)
+    scene = world.scene
     glasses = [scene.material_of(item) for item in scene.objects if scene.material_of(item).is_transmissive]
     if all(is_grey(glass.transmission) for glass in glasses):
         return
     loss, words = ONE_STEP, "up to one step of what glass lets through is lost"
-    if is_one_pane_deep(scene, lights):
+    if is_one_pane_deep(world, lights):
         loss = largest_loss(scene, lights, photons, mode.exposures)
         words = "the light factor leaves all tints just above a step; light meets one pane of them alone"
     yield Entry(Phenomenon.COLOURED_TRANSMISSION, item, meant, kept, loss, RELATIVE, words)
@@ -98,8 +100,8 @@ def _rough_glass(scene: Scene) -> Iterator[Entry]:
         )
 
 
-def _curved_receivers(scene: Scene, units: Normalisation, photons: PhotonPass) -> Iterator[Entry]:
-    for index, radius_m in curved_receivers(scene):
+def _curved_receivers(world: World, units: Normalisation, photons: PhotonPass) -> Iterator[Entry]:
+    for index, radius_m in curved_receivers(world):
         yield Entry(
             Phenomenon.CAUSTIC,
             f"O{index + 1}",

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.base.vector import length
+from vitrail.geometry.world import World
 from vitrail.lower.povray.bodies.contact import REACH, Grown
 from vitrail.lower.povray.bodies.gaps import Shrunk
 from vitrail.lower.povray.bodies.nesting import HAIR, Nesting
@@ -35,7 +36,7 @@ IN_AND_OUT = 2
 class Translation:
     """Everything that decides how exact a translation is."""
 
-    scene: Scene
+    world: World
     plan: Plan
     mode: Mode
     units: Normalisation
@@ -48,6 +49,10 @@ class Translation:
     indices: Indices
     nesting: Nesting
     quality: Quality
+
+    @property
+    def scene(self) -> Scene:
+        return self.world.scene
 
 
 def certificate_of(translation: Translation) -> Certificate:
@@ -64,7 +69,7 @@ def certificate_of(translation: Translation) -> Certificate:
             *_indirect(translation),
             *material_entries(translation.scene, translation.mode, translation.indices),
             *photon_entries(
-                translation.scene,
+                translation.world,
                 translation.mode,
                 translation.units,
                 translation.lights,

@@ -18,15 +18,16 @@ from dataclasses import dataclass
 
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.base.vector import Vec, length, subtract
+from vitrail.geometry.world import World
 from vitrail.lower.povray.bodies.immersion import index_around
-from vitrail.lower.povray.bodies.meshes import Meshes, bounds_with
+from vitrail.lower.povray.bodies.meshes import room_of
 from vitrail.lower.povray.bodies.normalise import Normalisation
 from vitrail.lower.povray.refusals.refusal import NotTranslatable, Refusals
 from vitrail.lower.povray.text.lights import Source
 from vitrail.lower.povray.text.sdl import Block, Quoted, block, listed, statement
 from vitrail.plan.plan import Plan
 from vitrail.plan.settings import Settings
-from vitrail.scene.model import Material, Scene
+from vitrail.scene.model import Material
 
 FLUX_LIMIT = 16.0
 """Largest flux of one photon; POV-Ray loses photons at 32 without a word [P 2.4]."""
@@ -74,7 +75,6 @@ class PhotonPass:
 
 
 def photon_pass(
-    scene: Scene,
     plan: Plan,
     settings: Settings,
     lights: Sequence[Source],
@@ -103,17 +103,15 @@ def photon_pass(
     )
 
 
-def photon_targets(
-    scene: Scene, plan: Plan, meshes: Meshes, units: Normalisation, refusals: Refusals
-) -> tuple[Ball, ...]:
+def photon_targets(world: World, plan: Plan, units: Normalisation, refusals: Refusals) -> tuple[Ball, ...]:
     """A ball for each specular object, none without a caustic; an infinite one is refused."""
     if not plan.requires(Phenomenon.CAUSTIC):
         return ()
     balls, refused = [], []
-    for index, item in enumerate(scene.objects):
-        if not scene.material_of(item).is_specular:
+    for index, (item, solid) in enumerate(zip(world.scene.objects, world.solids, strict=True)):
+        if not world.material(index).is_specular:
             continue
-        bounds = bounds_with(meshes, item)
+        bounds = room_of(solid)
         if not bounds.is_finite:
             what = f"POV-Ray cannot aim photons at an infinite {item.shape.key}"
             refused.append(refusals.at(what, "use a rectangle, a disc or a box", "objects", index, item.shape.key))
@@ -161,23 +159,28 @@ def photon_flux(source: Source, ball: Ball, spacing: float, strength: float) -> 
     return strength * (spacing / length(subtract(ball.centre, source.position))) ** 2
 
 
-def has_exact_flux(scene: Scene, lights: Sequence[Source], photons: PhotonPass) -> bool:
+def has_exact_flux(world: World, lights: Sequence[Source], photons: PhotonPass) -> bool:
     """Whether every photon of a run has the flux of the main path, or none at all."""
-    materials = [scene.material_of(item) for item in scene.objects if scene.material_of(item).is_specular]
+    materials = [material for material in _materials(world) if material.is_specular]
     if len(lights) > 1 or any(_varies(material) for material in materials):
         return False
     lossless = all(_is_lossless(material) for material in materials)
     if len(photons.targets) > 1:
         return lossless and lights[0].direction is not None
-    if not lossless and _stores_inside(scene):
+    if not lossless and _stores_inside(world):
         return False
     return lossless or not (materials[0].is_transmissive and max(materials[0].reflection) > 0)
 
 
-def _stores_inside(scene: Scene) -> bool:
+def _stores_inside(world: World) -> bool:
     """Whether photons may be stored after one face of glass instead of two."""
-    scattering = [item for item in scene.objects if scene.material_of(item).is_diffuse]
-    return any(scene.material_of(item).is_specular or index_around(scene, item) != 1 for item in scattering)
+    scattering = [index for index, material in enumerate(_materials(world)) if material.is_diffuse]
+    return any(world.material(index).is_specular or index_around(world, index) != 1 for index in scattering)
+
+
+def _materials(world: World) -> list[Material]:
+    """That of each object."""
+    return [world.scene.material_of(item) for item in world.scene.objects]
 
 
 def _is_lossless(material: Material) -> bool:

@@ -11,7 +11,7 @@ import math
 from collections.abc import Iterator
 
 from vitrail.base.phenomenon import Phenomenon
-from vitrail.lower.povray.bodies.contact import touching
+from vitrail.geometry.world import World
 from vitrail.lower.povray.bodies.immersion import index_around
 from vitrail.lower.povray.certificate.certificate import RELATIVE, Entry
 from vitrail.lower.povray.refusals.refusal import Refusals
@@ -55,8 +55,9 @@ def radiosity_sdl(scene: Scene, quality: Quality, half: str) -> Block:
     )
 
 
-def radiosity_refusals(scene: Scene, refusals: Refusals) -> Iterator[Diagnostic]:
+def radiosity_refusals(world: World, refusals: Refusals) -> Iterator[Diagnostic]:
     """What radiosity would count as light although the scene does not, or twice."""
+    scene = world.scene
     for name, material in scene.materials.items():
         if material.emission is not None:
             what = "POV-Ray's radiosity would let this emission light other surfaces, which in a scene it does not"
@@ -65,9 +66,9 @@ def radiosity_refusals(scene: Scene, refusals: Refusals) -> Iterator[Diagnostic]
         if isinstance(light.emitter, Environment):
             what = "POV-Ray's radiosity would count the environment twice"
             yield refusals.at(what, "use other lights, or `indirect: {ambient: ...}`", "lights", index, "environment")
-    covered = {other for _, other in touching(scene)}
+    covered = {other for _, other in world.contacts}
     for index, item in enumerate(scene.objects):
-        if scene.material_of(item).is_diffuse and (index in covered or index_around(scene, item) != 1):
+        if scene.material_of(item).is_diffuse and (index in covered or index_around(world, index) != 1):
             what = "POV-Ray's radiosity would see this surface inside glass without the square of the index"
             yield refusals.at(
                 what, "leave a millimetre between it and the glass, or use `indirect: {ambient: ...}`", "objects", index

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from vitrail.base.phenomenon import Phenomenon
+from vitrail.geometry.world import World
 from vitrail.lower.povray.photons.radiosity import radiosity_refusals
 from vitrail.lower.povray.refusals.refusal import NotTranslatable, Refusals
 from vitrail.lower.povray.refusals.undimmed import lamps_in_absorbing_glass
@@ -15,12 +16,13 @@ from vitrail.scene.diagnostic import Diagnostic
 from vitrail.scene.model import Ggx, Material, Scene
 
 
-def refuse_unsupported(scene: Scene, plan: Plan, refusals: Refusals) -> None:
+def refuse_unsupported(world: World, plan: Plan, refusals: Refusals) -> None:
     """Raises NotTranslatable with one diagnostic a place."""
+    scene = world.scene
     found = [*_literal_readings(scene, plan, refusals), *_rough_faces(scene, refusals)]
-    found += lamps_in_absorbing_glass(scene, refusals)
+    found += lamps_in_absorbing_glass(world, refusals)
     if scene.transport.indirect == "photons":
-        found += radiosity_refusals(scene, refusals)
+        found += radiosity_refusals(world, refusals)
     if found:
         raise NotTranslatable(found)
 

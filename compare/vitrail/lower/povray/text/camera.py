@@ -7,13 +7,12 @@ keep their handedness, and only ``right`` says that the picture is seen by a rig
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 
-from vitrail.base.vector import Vec, add, cross, scale, subtract, unit
+from vitrail.base.vector import add, scale
+from vitrail.geometry.camera import View
 from vitrail.lower.povray.bodies.normalise import Normalisation
 from vitrail.lower.povray.text.sdl import Block, block, statement, vector
-from vitrail.scene.model import Camera, Image
 
 
 @dataclass(frozen=True)
@@ -32,42 +31,26 @@ Opposite shifts would make every gradient look like noise that cancels in the me
 """
 
 
-def camera_sdl(
-    camera: Camera, image: Image, samples_across: int, shift: SubpixelShift, normalisation: Normalisation
-) -> Block:
+def camera_sdl(view: View, samples_across: int, shift: SubpixelShift, units: Normalisation) -> Block:
     """The camera of an image rendered ``samples_across`` times as wide and high as the scene's."""
-    forward = unit(subtract(camera.look_at, camera.position))
-    right = unit(cross(forward, camera.up))
-    up = cross(right, forward)
-    half_height = _half_height(camera, normalisation)
-    half_width = half_height * (image.width / image.height)
-    across, rise = scale(right, 2 * half_width), scale(up, 2 * half_height)
+    half_height = view.half_height if view.perspective else units.length(2 * view.half_height) / 2
+    half_width = half_height * (view.width / view.height)
+    across, rise = scale(view.right, 2 * half_width), scale(view.up, 2 * half_height)
     offset = add(
-        scale(across, shift.right / (image.width * samples_across)),
-        scale(rise, shift.up / (image.height * samples_across)),
+        scale(across, shift.right / (view.width * samples_across)),
+        scale(rise, shift.up / (view.height * samples_across)),
     )
-    location, direction = _shifted(camera, normalisation.point(camera.position), forward, offset)
+    location, direction = units.point(view.position), view.forward
+    # Turn a perspective camera's rays, move an orthographic camera's.
+    if view.perspective:
+        direction = add(direction, offset)
+    else:
+        location = add(location, offset)
     return block(
         "camera",
-        statement(camera.kind),
+        statement("perspective" if view.perspective else "orthographic"),
         statement("location", vector(location)),
         statement("direction", vector(direction)),
         statement("right", vector(across)),
         statement("up", vector(rise)),
     )
-
-
-def _half_height(camera: Camera, normalisation: Normalisation) -> float:
-    """Tangent of half the field of view, or half the height in units."""
-    if camera.kind == "perspective":
-        assert camera.fov_deg is not None
-        return math.tan(math.radians(camera.fov_deg) / 2)
-    assert camera.height is not None
-    return normalisation.length(camera.height) / 2
-
-
-def _shifted(camera: Camera, location: Vec, forward: Vec, offset: Vec) -> tuple[Vec, Vec]:
-    """Turn a perspective camera's rays, move an orthographic camera's."""
-    if camera.kind == "perspective":
-        return location, add(forward, offset)
-    return add(location, offset), forward

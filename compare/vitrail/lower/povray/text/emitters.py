@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from random import Random
 
 from vitrail.base.vector import Vec, add, cross, length, scale, unit
-from vitrail.geometry.surface import frame_of
+from vitrail.geometry.surface import tangents
 from vitrail.scene.model import Disc, Rectangle
 
 SMALL_SUN_DEG = 2.0
@@ -62,7 +62,7 @@ def rectangle_points(shape: Rectangle, grid: Grid) -> list[Emitter]:
 
 def disc_points(shape: Disc, grid: Grid) -> list[Emitter]:
     """Points on a disc, in cells of equal area."""
-    u, v = frame_of(shape.normal)
+    u, v = tangents(shape.normal)
     found = []
     for x, y, share in _disc_cells(grid):
         offset = add(scale(u, shape.radius * x), scale(v, shape.radius * y))
@@ -76,7 +76,7 @@ def sun_directions(direction: Vec, diameter_deg: float, grid: Grid) -> list[Emit
     A facing surface gets the share times the cosine towards the sun's rim, at most 4e-5 less for the real sun; the
     shares are raised so that their sum on a surface that faces the middle is 1.
     """
-    u, v = frame_of(direction)
+    u, v = tangents(direction)
     reach = math.radians(diameter_deg) / 2
     if diameter_deg < SMALL_SUN_DEG:
         grid = replace(grid, count=max(1, grid.count // 2))

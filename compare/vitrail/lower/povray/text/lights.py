@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 from typing import assert_never
 
 from vitrail.base.vector import Vec, add, cross, length, scale, unit
-from vitrail.geometry.distance import distance_to_surface
+from vitrail.geometry.world import World
 from vitrail.lower.povray.bodies.normalise import Normalisation
 from vitrail.lower.povray.refusals.refusal import NotTranslatable, Refusals
 from vitrail.lower.povray.text.emitters import (
@@ -29,7 +29,7 @@ from vitrail.lower.povray.text.sdl import Block, Statement, block, rgb, statemen
 from vitrail.lower.povray.text.shapes import aperture
 from vitrail.lower.povray.text.sky import Skies
 from vitrail.scene.diagnostic import Diagnostic
-from vitrail.scene.model import Area, Directional, Disc, Environment, Light, Point, Rectangle, Scene, Spot
+from vitrail.scene.model import Area, Directional, Disc, Environment, Light, Point, Rectangle, Spot
 
 SUN_DISTANCE = 16384.0
 """Units from the origin to the plane of a parallel light: beyond every scene, well below the limit of 1e7 [P 1.3]."""
@@ -68,14 +68,14 @@ class Source:
     aside: float = 0.0
 
 
-def sources(scene: Scene, units: Normalisation, grid: Grid, skies: Skies, refusals: Refusals) -> tuple[Source, ...]:
+def sources(world: World, units: Normalisation, grid: Grid, skies: Skies, refusals: Refusals) -> tuple[Source, ...]:
     """The lights of a scene as POV-Ray lights, a grid for each that is no point; raises NotTranslatable."""
     refused: list[Diagnostic] = []
     found: list[Source] = []
-    for index, light in enumerate(scene.lights):
+    for index, light in enumerate(world.scene.lights):
         try:
             own = replace(grid, seed=grid.seed + index)
-            found += _sources(light, index, scene, units, own, skies, refusals)
+            found += _sources(light, index, world, units, own, skies, refusals)
         except NotTranslatable as error:
             refused += error.diagnostics
     if refused:
@@ -84,7 +84,7 @@ def sources(scene: Scene, units: Normalisation, grid: Grid, skies: Skies, refusa
 
 
 def _sources(
-    light: Light, index: int, scene: Scene, units: Normalisation, grid: Grid, skies: Skies, refusals: Refusals
+    light: Light, index: int, world: World, units: Normalisation, grid: Grid, skies: Skies, refusals: Refusals
 ) -> list[Source]:
     emitter = light.emitter
     match emitter:
@@ -94,18 +94,18 @@ def _sources(
                 parts = sun_directions(unit(emitter.direction), emitter.angular_diameter_deg, grid)
             return [_parallel(index, emitter.irradiance, part) for part in parts]
         case Point():
-            fade = _fade(light, index, emitter.position, scene, units, refusals)
+            fade = _fade(light, index, emitter.position, world, units, refusals)
             strength = times(emitter.intensity, units.scale**2 / math.pi)
             return [Source(index, strength, units.point(emitter.position), fade_distance=fade)]
         case Spot():
-            fade = _fade(light, index, emitter.position, scene, units, refusals)
+            fade = _fade(light, index, emitter.position, world, units, refusals)
             strength = times(emitter.intensity, units.scale**2 / math.pi)
             cone = Cone(unit(emitter.direction), emitter.cone_deg / 2, is_lambert=False)
             return [Source(index, strength, units.point(emitter.position), fade_distance=fade, cone=cone)]
         case Area() if emitter.collimated:
             return [_collimated(index, emitter, units)]
         case Area():
-            return _patch(light, index, emitter, scene, units, grid, refusals)
+            return _patch(light, index, emitter, world, units, grid, refusals)
         case Environment():
             if emitter.radiance is None:
                 return [
@@ -138,7 +138,7 @@ def _patch(
     light: Light,
     index: int,
     lamp: Area,
-    scene: Scene,
+    world: World,
     units: Normalisation,
     grid: Grid,
     refusals: Refusals,
@@ -149,7 +149,7 @@ def _patch(
     strength = times(lamp.strength, area_of(shape) * units.scale**2 / math.pi)
     found = []
     for part in parts:
-        fade = _fade(light, index, part.position, scene, units, refusals)
+        fade = _fade(light, index, part.position, world, units, refusals)
         cone = Cone(part.direction, 90.0, is_lambert=True)
         position = units.point(part.position)
         found.append(Source(index, times(strength, part.share), position, fade_distance=fade, cone=cone))
@@ -161,10 +161,9 @@ def area_of(shape: Rectangle | Disc) -> float:
     return math.pi * shape.radius**2 if isinstance(shape, Disc) else 4 * length(shape.u) * length(shape.v)
 
 
-def _fade(light: Light, index: int, position: Vec, scene: Scene, units: Normalisation, refusals: Refusals) -> float:
+def _fade(light: Light, index: int, position: Vec, world: World, units: Normalisation, refusals: Refusals) -> float:
     """The fade distance of a lamp, units, from its nearest surface."""
-    distances = [distance_to_surface(item, position) for item in scene.objects]
-    nearest = min((distance for distance in distances if distance is not None), default=1 / units.scale)
+    nearest = min((solid.distance(position) for solid in world.solids), default=1 / units.scale)
     reach = units.length(nearest)
     if reach <= NEAREST_SURFACE:
         what = f"the lamp is {nearest:.3g} m from a surface, nearer than POV-Ray's shadow rays can tell"

@@ -6,7 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from vitrail.base.phenomenon import Phenomenon
-from vitrail.geometry.placement import Placed, place
+from vitrail.geometry.solid import Solid
+from vitrail.geometry.world import World
 from vitrail.lower.povray.bodies.immersion import index_around, seen_from_outside
 from vitrail.lower.povray.bodies.nesting import Cut, Nesting
 from vitrail.lower.povray.bodies.normalise import Normalisation
@@ -33,7 +34,7 @@ class ObjectText:
     ``under`` names the glasses that lie on a body that is none.
     """
 
-    scene: Scene
+    world: World
     plan: Plan
     units: Normalisation
     has_photons: bool
@@ -41,7 +42,11 @@ class ObjectText:
     nesting: Nesting
     under: Mapping[int, tuple[int, ...]]
 
-    def sdl(self, index: int, placed: Placed, exposure: Exposure, is_shooting: bool) -> Block:
+    @property
+    def scene(self) -> Scene:
+        return self.world.scene
+
+    def sdl(self, index: int, placed: Solid, exposure: Exposure, is_shooting: bool) -> Block:
         """The object in one run; ``placed`` is its shape, where a gap has been opened already."""
         material, cuts = self.scene.material_of(self.scene.objects[index]), self.nesting.cuts[index]
         shape = primitive(placed, self.units)
@@ -74,30 +79,30 @@ class ObjectText:
 
     def _without(self, host: int, index: int) -> Block:
         """The room of a lower solid without those that other solids take from it."""
-        body = primitive(place(self.scene.objects[host]), self.units).sdl
+        body = primitive(self.world.solids[host], self.units).sdl
         others = [primitive(cut.placed, self.units).sdl for cut in self.nesting.cuts[host] if cut.by != index]
         return block("difference", body, *others) if others else body
 
     def _layers(
-        self, material: Material, placed: Placed, exposure: Exposure, bumps: Bumps | None = None, seen: float = 1.0
+        self, material: Material, placed: Solid, exposure: Exposure, bumps: Bumps | None = None, seen: float = 1.0
     ) -> Layers:
         return textures_sdl(Surface(material, placed, exposure, self.units, self._has_ambient, bumps, seen))
 
-    def _textures(self, index: int, placed: Placed, exposure: Exposure) -> Layers:
+    def _textures(self, index: int, placed: Solid, exposure: Exposure) -> Layers:
         """The look of an object from outside, and where it differs from inside: rough, scattering and nested glass."""
         item = self.scene.objects[index]
         material, ior = self.scene.material_of(item), self._index_of(item)
-        around = seen_from_outside(self.scene, index_around(self.scene, item))
+        around = seen_from_outside(self.world, index_around(self.world, index))
         bumps = [bumps_of(material, ior, from_inside=side) if material.is_specular else None for side in (False, True)]
         outer = self._layers(material, placed, exposure, bumps[0], around)
         if not material.is_transmissive:
             for glass in self.under.get(index, ()):
                 # Where glass lies on this face, its radiance is seen from inside the glass.
-                within = seen_from_outside(self.scene, self._index_of(self.scene.objects[glass]))
+                within = seen_from_outside(self.world, self._index_of(self.scene.objects[glass]))
                 covered = self._layers(material, placed, exposure, bumps[0], within)
                 outer = (_by_place(self._without(glass, index), outer, covered),)
             return outer
-        inner = self._layers(material, placed, exposure, bumps[1], seen_from_outside(self.scene, ior))
+        inner = self._layers(material, placed, exposure, bumps[1], seen_from_outside(self.world, ior))
         for host in self.nesting.hosts[index]:
             # Where the lower solid lies outside, light has left this one already when it meets this face.
             is_contact = any(cut.by == index and cut.is_contact for cut in self.nesting.cuts[host])

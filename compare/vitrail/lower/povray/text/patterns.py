@@ -9,11 +9,10 @@ from __future__ import annotations
 
 from typing import assert_never
 
-from vitrail.base.vector import Vec, scale, subtract, unit
-from vitrail.geometry.surface import frame_of
+from vitrail.base.vector import scale, subtract
 from vitrail.lower.povray.text.sdl import Block, Statement, Value, block, listed, matrix, rgb, statement
 from vitrail.lower.povray.text.surface import Surface
-from vitrail.scene.model import Checker, Disc, Plane, Rectangle
+from vitrail.scene.model import Checker
 
 
 def coloured(
@@ -47,25 +46,9 @@ def coloured(
 
 def _laid(size_m: float, surface: Surface) -> Statement:
     """The matrix that carries POV-Ray's unit cells to the squares of a flat shape."""
-    origin, u, v, normal = _flat_frame(surface)
+    frame = surface.placed.surface_frame
+    if frame is None:
+        raise ValueError("a checker needs a plane, a rectangle or a disc; check refuses others")
     size = surface.normalisation.length(size_m)
-    start = subtract(surface.normalisation.point(origin), scale(normal, size / 2))
-    return matrix((scale(u, size), scale(v, size), scale(normal, size)), start)
-
-
-def _flat_frame(surface: Surface) -> tuple[Vec, Vec, Vec, Vec]:
-    """Origin, u, v and normal of a flat shape in the world."""
-    shape = surface.placed.shape
-    match shape:
-        case Plane():
-            u, v = frame_of(shape.normal)
-            return shape.point, u, v, unit(shape.normal)
-        case Disc():
-            u, v = frame_of(shape.normal)
-            return shape.center, u, v, unit(shape.normal)
-        case Rectangle():
-            u, v = unit(shape.u), unit(shape.v)
-            normal = (u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0])
-            return shape.center, u, v, normal
-        case _:
-            raise ValueError("a checker needs a plane, a rectangle or a disc; check refuses others")
+    start = subtract(surface.normalisation.point(frame.origin), scale(frame.normal, size / 2))
+    return matrix((scale(frame.u, size), scale(frame.v, size), scale(frame.normal, size)), start)

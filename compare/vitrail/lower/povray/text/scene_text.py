@@ -6,6 +6,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from vitrail.geometry.world import World
 from vitrail.lower.povray.bodies.gaps import Placement
 from vitrail.lower.povray.bodies.normalise import Normalisation
 from vitrail.lower.povray.photons.depth import TraceDepth
@@ -29,7 +30,7 @@ DARK = (statement("ambient", 0), statement("emission", 0), statement("diffuse", 
 class SceneText:
     """What all executions of a scene share; ``lights`` differ by half where they are grids."""
 
-    scene: Scene
+    world: World
     plan: Plan
     units: Normalisation
     lights: Mapping[str, tuple[Source, ...]]
@@ -40,11 +41,15 @@ class SceneText:
     objects: ObjectText
     quality: Quality
 
+    @property
+    def scene(self) -> Scene:
+        return self.world.scene
+
     def sdl(
         self, half: str, exposure: Exposure, samples_across: int, photon_file: str, sky: SkyPicture | None
     ) -> SdlFile:
         """The tree; ``photon_file`` says what happens to the photon map, and without it there are no photons."""
-        scene, is_shooting = self.scene, photon_file == "save_file"
+        is_shooting = photon_file == "save_file"
         return SdlFile(
             present(
                 (
@@ -52,7 +57,7 @@ class SceneText:
                     self._globals(half, exposure, photon_file),
                     block("#default", block("finish", *DARK)),
                     block("background", statement(rgb(exposure.light(self._sky())))) if sky is None else sky.sdl,
-                    camera_sdl(scene.camera, scene.image, samples_across, HALF_SHIFTS[half], self.units),
+                    camera_sdl(self.world.view, samples_across, HALF_SHIFTS[half], self.units),
                     *(light_sdl(source, exposure) for source in self.lights[half] if _shines(source, exposure)),
                     *(
                         self.objects.sdl(index, shape, exposure, is_shooting)

@@ -11,7 +11,10 @@ from dataclasses import dataclass
 from typing import assert_never
 
 from vitrail.base.vector import Vec, add, dot, scale, unit
-from vitrail.geometry.placement import Frame, Placed
+from vitrail.geometry.frame import Frame
+from vitrail.geometry.placement import solid_of
+from vitrail.geometry.shapes.mesh import PlacedMesh
+from vitrail.geometry.solid import Solid
 from vitrail.lower.povray.bodies.meshes import mesh_parts
 from vitrail.lower.povray.bodies.normalise import Normalisation
 from vitrail.lower.povray.text.sdl import (
@@ -42,7 +45,7 @@ class Primitive:
         return Block(self.keyword, self.parts)
 
 
-def primitive(placed: Placed, normalisation: Normalisation) -> Primitive:
+def primitive(placed: Solid, normalisation: Normalisation) -> Primitive:
     """The POV-Ray object of a placed shape."""
     shape, units = placed.shape, normalisation
     match shape:
@@ -70,6 +73,7 @@ def primitive(placed: Placed, normalisation: Normalisation) -> Primitive:
         case Lens():
             return _lens(shape, placed.frame, units)
         case Mesh():
+            assert isinstance(placed, PlacedMesh)
             return Primitive("mesh2", mesh_parts(placed, units))
         case _:
             assert_never(shape)
@@ -84,7 +88,7 @@ def _rectangle(shape: Rectangle, units: Normalisation) -> Primitive:
 
 def aperture(shape: Rectangle | Disc, units: Normalisation) -> Block:
     """The outline of a collimated lamp, as an object for light to pass through."""
-    return primitive(Placed(shape, Frame()), units).sdl
+    return primitive(solid_of(shape), units).sdl
 
 
 def _prism(shape: Prism, frame: Frame, units: Normalisation) -> Primitive:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from vitrail.geometry.placement import Placed
+from vitrail.geometry.solid import Solid
 from vitrail.lower.povray.bodies.normalise import Normalisation
 from vitrail.lower.povray.text.exposure import Exposure, Triplet
 from vitrail.lower.povray.text.roughness import Bumps
@@ -20,7 +20,7 @@ class Surface:
     """A material on one object in one run; ``seen`` is what the camera sees of the radiance it sends out."""
 
     material: Material
-    placed: Placed
+    placed: Solid
     exposure: Exposure
     normalisation: Normalisation
     has_ambient: bool = False

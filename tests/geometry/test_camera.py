@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from vitrail.images.view import View
+from vitrail.geometry.camera import View
 from vitrail.scene.model import Camera, Image
 
 IMAGE = Image(width=200, height=100)
@@ -45,3 +45,23 @@ def test_what_a_pixel_shows_falls_on_that_pixel(camera):
     point = view.point_on_plane(31.5, 77.25, np.array([0.0, -3.0, 0.0]), np.array([0.1, 1.0, 0.3]))
     x, y, _ = view.project(point)
     assert (x, y) == pytest.approx((31.5, 77.25), abs=1e-9)
+
+
+def test_a_pixel_grows_with_depth_for_perspective_and_not_for_orthographic_cameras():
+    camera = Camera.model_validate({"position": (0, 0, 0), "look_at": (0, 0, -1), "fov_deg": 90})
+    assert View.of(camera, Image(width=64, height=48)).pixel_size_m((5, 5, -3)) == pytest.approx(2 * 3 / 48)
+    flat = Camera.model_validate({"kind": "orthographic", "position": (0, 0, 0), "look_at": (0, 0, -1), "height": 12})
+    assert View.of(flat, Image(width=64, height=48)).pixel_size_m((5, 5, -3)) == pytest.approx(12 / 48)
+
+
+@pytest.mark.parametrize("camera", [PERSPECTIVE, ORTHOGRAPHIC])
+def test_one_point_is_sighted_where_many_are_projected(camera):
+    view = View.of(camera, IMAGE)
+    for point in ((0.3, -0.2, 1.0), (1.5, 0.7, -3.0)):
+        seen, (x, y, depth) = view.sight(point), view.project(np.array(point))
+        assert ((seen.x + 1) * 100, (1 - seen.y) * 50, seen.depth_m) == pytest.approx((x, y, depth), abs=1e-12)
+        away = np.subtract(point, view.position)
+        assert view.direction_to(point) == pytest.approx(away if view.perspective else [0, 0, point[2] - 5], abs=1e-12)
+        assert view.sight_line(point) == pytest.approx(
+            np.divide(view.direction_to(point), np.linalg.norm(view.direction_to(point))), abs=1e-12
+        )

@@ -8,8 +8,8 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from vitrail.geometry.bounds import Bounds
-from vitrail.images.view import View as Projection
-from vitrail.plan.view import plane_hits, view_of
+from vitrail.geometry.camera import View
+from vitrail.plan.in_picture import may_see_box, plane_hits, sees_plane
 from vitrail.scene.model import Camera, Image, Plane
 
 coordinate = st.floats(-5, 5).map(lambda value: round(value, 3))
@@ -33,9 +33,9 @@ def cameras() -> st.SearchStrategy[Camera]:
 def test_a_box_with_a_point_in_the_picture_may_be_seen(camera: Camera, corner: tuple, size: tuple, seed: int) -> None:
     bounds = Bounds(corner, tuple(np.add(corner, size)))
     points = np.random.default_rng(seed).uniform(bounds.low, bounds.high, (200, 3))
-    x, y, depth = Projection.of(camera, IMAGE).project(points)
+    x, y, depth = View.of(camera, IMAGE).project(points)
     seen = (depth > 0) & (x >= 0) & (x <= 64) & (y >= 0) & (y <= 48)
-    assert view_of(camera, IMAGE).may_see(bounds) or not seen.any()
+    assert may_see_box(View.of(camera, IMAGE), bounds) or not seen.any()
 
 
 @settings(max_examples=300, deadline=None)
@@ -46,19 +46,19 @@ def test_a_box_with_a_point_in_the_picture_may_be_seen(camera: Camera, corner: t
 def test_a_plane_is_seen_when_and_only_when_a_ray_of_the_picture_meets_it(
     camera: Camera, place: tuple, normal: tuple
 ) -> None:
-    view, n = view_of(camera, IMAGE), np.array(normal) / np.linalg.norm(normal)
+    view, n = View.of(camera, IMAGE), np.array(normal) / np.linalg.norm(normal)
     steps = np.linspace(-1, 1, 21)
     met = False
     for sx in steps:
         for sy in steps:
-            origin, direction = view.corner_ray(sx, sy)
+            origin, direction = view.ray(sx, sy)
             distance, approach = np.dot(n, np.subtract(origin, place)), np.dot(n, direction)
             met |= bool(distance * approach < -1e-12)
-    assert view.may_see_plane(Plane(point=place, normal=normal)) or not met
+    assert sees_plane(view, Plane(point=place, normal=normal)) or not met
     # The corner rays are among the sampled ones, so both agree but for planes that touch the picture in one corner, or
     # that hold the eye of a corner ray: rounding decides those.
     if not met and plane_hits(view, Plane(point=place, normal=normal)):
-        corners = [view.corner_ray(x, y) for x in (-1, 1) for y in (-1, 1)]
+        corners = [view.ray(x, y) for x in (-1, 1) for y in (-1, 1)]
         away = [abs(np.dot(n, np.subtract(origin, place))) for origin, _ in corners]
         assert min(*away, *(abs(np.dot(n, direction)) for _, direction in corners)) < 1e-9
 
@@ -75,11 +75,4 @@ def test_a_plane_is_seen_when_and_only_when_a_ray_of_the_picture_meets_it(
 )
 def test_boxes_before_beside_and_behind_a_camera(low: tuple, high: tuple, seen: bool) -> None:
     camera = Camera.model_validate({"position": (0, 0, 0), "look_at": (0, 0, -1), "fov_deg": 60})
-    assert view_of(camera, IMAGE).may_see(Bounds(low, high)) is seen
-
-
-def test_a_pixel_grows_with_depth_for_perspective_and_not_for_orthographic_cameras() -> None:
-    camera = Camera.model_validate({"position": (0, 0, 0), "look_at": (0, 0, -1), "fov_deg": 90})
-    assert view_of(camera, IMAGE).pixel_size_m((5, 5, -3)) == pytest.approx(2 * 3 / 48)
-    flat = Camera.model_validate({"kind": "orthographic", "position": (0, 0, 0), "look_at": (0, 0, -1), "height": 12})
-    assert view_of(flat, IMAGE).pixel_size_m((5, 5, -3)) == pytest.approx(12 / 48)
+    assert may_see_box(View.of(camera, IMAGE), Bounds(low, high)) is seen
