@@ -14,9 +14,7 @@ import pytest
 from tests.commands.command_line import ROOT, SCENE, files_in, run
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.commands.app import VERBS, Verbs
-from vitrail.commands.exit_code import DEFECT, ENGINE_FAILED, INTERRUPTED, NOT_TRANSLATABLE, SCENE_ERROR
 from vitrail.images.exr import write_image
-from vitrail.judge import exit_code as verdict_codes
 
 ALL_SCENES = sorted((ROOT / "scenes").glob("*/*.yaml"))
 
@@ -39,18 +37,6 @@ def test_every_verb_loads_and_has_its_own_help() -> None:
         result = run(verb, "--help")
         assert result.exit_code == 0, result.output
     assert set(Verbs()) <= set(VERBS)
-
-
-def test_the_exit_codes_are_those_of_the_verdicts() -> None:
-    own = (SCENE_ERROR, NOT_TRANSLATABLE, ENGINE_FAILED, DEFECT, INTERRUPTED)
-    theirs = (
-        verdict_codes.SCENE_ERROR,
-        verdict_codes.NOT_TRANSLATABLE,
-        verdict_codes.ENGINE_FAILED,
-        verdict_codes.DEFECT,
-        verdict_codes.INTERRUPTED,
-    )
-    assert own == theirs == (2, 3, 4, 70, 130)
 
 
 def test_check_says_that_a_scene_is_good() -> None:

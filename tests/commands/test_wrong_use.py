@@ -11,7 +11,7 @@ from typer.testing import CliRunner
 
 from tests.commands.command_line import ROOT, SCENE, files_in, run
 from vitrail.commands.app import app, main
-from vitrail.commands.exit_code import exit_codes
+from vitrail.commands.errors import exit_codes
 from vitrail.engines.povray_result import write_sky
 
 MALFORMED = sorted((ROOT / "tests" / "malformed").glob("*.yaml"))

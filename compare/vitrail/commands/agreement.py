@@ -6,7 +6,7 @@ from pathlib import Path
 
 import typer
 
-from vitrail.commands.exit_code import exit_codes, usage_error
+from vitrail.commands.errors import exit_codes, usage_error
 
 
 def agreement(

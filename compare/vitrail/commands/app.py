@@ -103,7 +103,7 @@ class VerbGroup(TyperGroup):
 
 def _unknown_verb(name: str, known: list[str]) -> typer.Exit:
     from vitrail.base.suggestion import suggestion
-    from vitrail.commands.exit_code import usage_error
+    from vitrail.commands.errors import usage_error
 
     return usage_error(f"{name}: there is no such verb; {suggestion(name, known, 'verb')}")
 
@@ -136,16 +136,16 @@ def main() -> None:
 
     A defect of the program itself ends with 70 and its traceback, and is never taken for a verdict.
     """
-    from vitrail.commands.exit_code import DEFECT, INTERRUPTED, TERMINATED
+    from vitrail.base.exit_code import ExitCode
 
-    signal.signal(signal.SIGTERM, lambda number, frame: sys.exit(TERMINATED))
+    signal.signal(signal.SIGTERM, lambda number, frame: sys.exit(ExitCode.TERMINATED))
     try:
         app()
     except KeyboardInterrupt:
-        sys.exit(INTERRUPTED)
+        sys.exit(ExitCode.INTERRUPTED)
     except Exception:
         traceback.print_exc()
-        sys.exit(DEFECT)
+        sys.exit(ExitCode.DEFECT)
 
 
 if __name__ == "__main__":

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import typer
 
 from vitrail.commands.comparison_options import load_all, overrides_of, reference_errors
-from vitrail.commands.exit_code import exit_codes, usage_error
+from vitrail.commands.errors import exit_codes, usage_error
 from vitrail.commands.settings_options import QUALITY, SETTINGS
 from vitrail.plan.settings import Quality
 

@@ -7,7 +7,7 @@ from typing import Any
 
 import typer
 
-from vitrail.commands.exit_code import SCENE_ERROR
+from vitrail.base.exit_code import ExitCode
 from vitrail.commands.output import print_json
 
 
@@ -22,7 +22,7 @@ def check(
         for report in reports:
             _say(report)
     if any(report["errors"] for report in reports):
-        raise typer.Exit(SCENE_ERROR)
+        raise typer.Exit(ExitCode.SCENE_ERROR)
 
 
 def _report(path: Path) -> dict[str, Any]:

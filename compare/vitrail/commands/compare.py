@@ -9,7 +9,7 @@ from pathlib import Path
 import typer
 
 from vitrail.commands.comparison_options import defect_named, load_all, overrides_of, reference_errors, watching
-from vitrail.commands.exit_code import exit_codes
+from vitrail.commands.errors import exit_codes
 from vitrail.commands.result_formats import Format, print_in
 from vitrail.commands.settings_options import QUALITY, SETTINGS
 from vitrail.plan.settings import Quality

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import typer
 
-from vitrail.commands.exit_code import usage_error
+from vitrail.commands.errors import usage_error
 
 if TYPE_CHECKING:
     from vitrail.base.progress import Progress

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import typer
 
-from vitrail.commands.exit_code import ENGINE_FAILED
+from vitrail.base.exit_code import ExitCode
 from vitrail.commands.output import print_json, wide_console
 
 
@@ -21,7 +21,7 @@ def doctor(as_json: bool = typer.Option(False, "--json", help="Print the finding
         count = len(missing)
         typer.echo("Everything that is needed is there." if not missing else f"Missing parts: {count}. See `to do`.")
     if missing:
-        raise typer.Exit(ENGINE_FAILED)
+        raise typer.Exit(ExitCode.ENGINE_FAILED)
 
 
 def _print_table(found: list) -> None:

@@ -9,7 +9,7 @@ import typer
 
 from vitrail.base.engine_name import EngineName
 from vitrail.base.whole_file import write_whole
-from vitrail.commands.exit_code import exit_codes
+from vitrail.commands.errors import exit_codes
 from vitrail.commands.output import print_json
 from vitrail.commands.settings_options import QUALITY, SETTINGS, prepared
 from vitrail.plan.settings import Quality

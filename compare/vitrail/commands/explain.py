@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import typer
 
 from vitrail.base.engine_name import EngineName
-from vitrail.commands.exit_code import exit_codes
+from vitrail.commands.errors import exit_codes
 from vitrail.commands.output import print_json, wide_console
 from vitrail.commands.settings_options import QUALITY, SETTINGS, prepared
 from vitrail.plan.settings import Quality

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import typer
 
-from vitrail.commands.exit_code import exit_codes, usage_error
+from vitrail.commands.errors import exit_codes, usage_error
 from vitrail.commands.output import print_json
 
 if TYPE_CHECKING:

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 
 import typer
 
-from vitrail.commands.exit_code import DEVIATES, exit_codes, usage_error
+from vitrail.base.exit_code import ExitCode
+from vitrail.commands.errors import exit_codes, usage_error
 from vitrail.commands.output import print_json
 
 if TYPE_CHECKING:
@@ -58,7 +59,7 @@ def mutants(
             typer.echo(_words(entry))
         total = len(found.mutants)
         typer.echo(f"{found.caught} of {total} caught, {found.named} named right; the page is {page}")
-    raise typer.Exit(0 if found.caught == len(found.mutants) else DEVIATES)
+    raise typer.Exit(0 if found.caught == len(found.mutants) else ExitCode.DEVIATES)
 
 
 def _publish(bench: Path, out: Path, target: Path, found: Mutants) -> Path:
@@ -92,7 +93,7 @@ def _equal_runs(scene: Path, out: Path, pairs: int, as_json: bool) -> None:
             f" (chance of as many: {row.p_value:.2g})"
         )
     if found.failures or any(row.p_value < 0.01 for row in found.rates):
-        raise typer.Exit(DEVIATES)
+        raise typer.Exit(ExitCode.DEVIATES)
 
 
 def _limits(bench: Path, out: Path, as_json: bool) -> None:
@@ -106,7 +107,7 @@ def _limits(bench: Path, out: Path, as_json: bool) -> None:
         print_json(found.model_dump(mode="json"))
     else:
         typer.echo(limits_table(found), nl=False)
-    raise typer.Exit(0 if found.kept else DEVIATES)
+    raise typer.Exit(0 if found.kept else ExitCode.DEVIATES)
 
 
 def _words(entry: MutantEntry) -> str:

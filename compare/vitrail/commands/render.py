@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Any
 import typer
 
 from vitrail.base.engine_name import EngineName
-from vitrail.commands.exit_code import INTERRUPTED, exit_codes, usage_error
+from vitrail.base.exit_code import ExitCode
+from vitrail.commands.errors import exit_codes, usage_error
 from vitrail.commands.output import print_json
 from vitrail.commands.render_passes import (
     BUDGET_S,
@@ -64,7 +65,7 @@ def render(
         _say_files(made.record, out, job, png, as_json)
         if made.interrupted:
             typer.echo("interrupted: the image holds the finished work", err=True)
-            raise typer.Exit(INTERRUPTED)
+            raise typer.Exit(ExitCode.INTERRUPTED)
 
 
 def _by_passes(

@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING
 import typer
 
 from vitrail.base.engine_name import EngineName
+from vitrail.base.exit_code import ExitCode
 from vitrail.commands.comparison_options import reference_errors
-from vitrail.commands.exit_code import INCONCLUSIVE, INTERRUPTED, usage_error
+from vitrail.commands.errors import usage_error
 from vitrail.commands.target_error import parse_target_error
 
 if TYPE_CHECKING:
@@ -112,8 +113,8 @@ def _exit_code(done: Finished, wish: Wish) -> int:
     from vitrail.pipeline.passes.stop import Reason
 
     if done.reason is Reason.INTERRUPTED:
-        return INTERRUPTED
-    return INCONCLUSIVE if wish.targets and done.reason is not Reason.TARGET_ERROR else 0
+        return ExitCode.INTERRUPTED
+    return ExitCode.INCONCLUSIVE if wish.targets and done.reason is not Reason.TARGET_ERROR else 0
 
 
 def _pixel_lines(done: Finished, wish: Wish) -> list[str]:
@@ -135,7 +136,7 @@ def say_how_it_ended(done: Finished, code: int) -> None:
         return
     passes = done.record["passes"]
     typer.echo(f"{passes['count']} passes, {sum(passes['cpu_s']):.2g} CPU s", err=True)
-    if code == INTERRUPTED:
+    if code == ExitCode.INTERRUPTED:
         typer.echo(f"interrupted: the image holds the finished passes; to go on: {resume}", err=True)
-    elif code == INCONCLUSIVE:
+    elif code == ExitCode.INCONCLUSIVE:
         typer.echo(f"the error is larger than wanted; to go on, with more passes or seconds: {resume}", err=True)

@@ -7,7 +7,7 @@ from pathlib import Path
 import typer
 
 from vitrail.commands.comparison_options import reference_errors
-from vitrail.commands.exit_code import exit_codes, usage_error
+from vitrail.commands.errors import exit_codes, usage_error
 
 
 def report(

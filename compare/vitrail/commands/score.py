@@ -8,7 +8,7 @@ from pathlib import Path
 import typer
 
 from vitrail.commands.comparison_options import reference_errors
-from vitrail.commands.exit_code import exit_codes
+from vitrail.commands.errors import exit_codes
 from vitrail.commands.result_formats import Format, print_in
 
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import typer
 
 from vitrail.base.fault import Fault
-from vitrail.commands.exit_code import usage_error
+from vitrail.commands.errors import usage_error
 from vitrail.plan.settings import Quality, setting_names
 
 if TYPE_CHECKING:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from vitrail.commands.exit_code import usage_error
+from vitrail.commands.errors import usage_error
 
 
 def parse_target_error(text: str, known: Iterable[str], who: str, remedy: str) -> tuple[str, str, float]:

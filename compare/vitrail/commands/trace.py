@@ -9,7 +9,7 @@ from typing import Any
 import typer
 
 from vitrail.base.engine_name import EngineName
-from vitrail.commands.exit_code import exit_codes, usage_error
+from vitrail.commands.errors import exit_codes, usage_error
 from vitrail.commands.output import print_json, wide_console
 
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import typer
 
 from vitrail.base.phenomenon import Phenomenon
-from vitrail.commands.exit_code import exit_codes, usage_error
+from vitrail.commands.errors import exit_codes, usage_error
 from vitrail.commands.output import print_json
 from vitrail.commands.target_error import parse_target_error
 

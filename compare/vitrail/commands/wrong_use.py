@@ -9,7 +9,7 @@ from typer.core import TyperCommand
 from typer.exceptions import TyperException
 
 from vitrail.base.suggestion import nearest
-from vitrail.commands.exit_code import usage_error
+from vitrail.commands.errors import usage_error
 
 
 class Verb(TyperCommand):

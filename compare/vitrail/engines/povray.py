@@ -18,6 +18,7 @@ from vitrail.engines.base import EngineFailure, Rendering
 from vitrail.engines.child import Finished, Limits, run_child
 from vitrail.engines.isolate import Allowance, isolate
 from vitrail.engines.photon_file import PhotonFileError, fluxes_of, order_photon_file, write_dark_photon
+from vitrail.engines.povray_command import IMAGE, picture_command
 from vitrail.engines.povray_output import complaint_of, progress_of, statistics_of, version_of
 from vitrail.engines.povray_result import Execution, Outcome, PhotonCensus, write_result
 from vitrail.images.exr import ImageError, read_image, write_image
@@ -112,7 +113,7 @@ class Povray:
                 shot = self._execute(run.photon_sdl, 1, 1, folder, lowered, shown, run.name)
                 census = self._census(shot, folder / PHOTON_FILE)
             done = self._execute(run.sdl, run.width, run.height, folder, lowered, shown, run.name)
-            image = self._image(folder / "image.exr", run, done.output)
+            image = self._image(folder / IMAGE, run, done.output)
         self._check_depth(run, done)
         return Outcome(run, image, done, census)
 
@@ -127,11 +128,8 @@ class Povray:
         self, sdl: str, width: int, height: int, folder: Path, lowered: PovrayScene, shown: _SharedProgress, run: str
     ) -> Execution:
         """Start POV-Ray once; raises EngineFailure unless it ends well."""
-        (folder / "scene.pov").write_text(sdl, encoding="ascii")
-        memory = (int(lowered.settings.memory_limit_mb) << 20) + EXTRA_MEMORY_BYTES
-        # One thread, no antialiasing of its own, linear half-float output.
-        words = ["+Iscene.pov", "+Oimage.exr", f"+W{width}", f"+H{height}", "+FE", "-D", "-A", "+WT1"]
-        isolated = isolate(self.program, words, folder, Allowance(memory_bytes=memory))
+        memory_bytes = (int(lowered.settings.memory_limit_mb) << 20) + EXTRA_MEMORY_BYTES
+        isolated = picture_command(self.program, sdl, width, height, folder, memory_bytes)
         said: list[str] = []
         finished = run_child(
             isolated.command,

@@ -13,10 +13,13 @@ import numpy as np
 
 from vitrail.engines.base import EngineFailure
 from vitrail.engines.child import Limits, run_child
-from vitrail.engines.isolate import Allowance, isolate
 from vitrail.engines.povray import Povray
+from vitrail.engines.povray_command import IMAGE, picture_command
 from vitrail.engines.povray_output import complaint_of
 from vitrail.images.exr import read_image
+
+MEMORY_BYTES = 4 << 30
+"""Address space that one picture may take."""
 
 
 @dataclass(frozen=True)
@@ -33,13 +36,11 @@ def render_text(sdl: str, width: int, height: int, *, engine: Povray | None = No
     povray = engine or Povray()
     with tempfile.TemporaryDirectory(prefix="vitrail-povray-") as name:
         folder = Path(name)
-        (folder / "scene.pov").write_text(sdl, encoding="ascii")
-        arguments = ["+Iscene.pov", "+Oimage.exr", f"+W{width}", f"+H{height}", "+FE", "-D", "-A", "+WT1"]
-        isolated = isolate(povray.program, arguments, folder, Allowance(memory_bytes=4 << 30))
+        isolated = picture_command(povray.program, sdl, width, height, folder, MEMORY_BYTES)
         finished = run_child(isolated.command, limits=Limits(wall_s=wall_s))
         if finished.interrupted:
             raise KeyboardInterrupt
-        image = folder / "image.exr"
+        image = folder / IMAGE
         if finished.code != 0 or not image.is_file():
             remedy = "its words follow"
             raise EngineFailure(povray.name, f"it {finished.ending()}", remedy, complaint_of(finished.said))

@@ -12,12 +12,12 @@ from typing import Any
 
 import vitrail
 from vitrail.base.canonical_json import canonical_json
+from vitrail.base.exit_code import ExitCode
 from vitrail.base.progress import Progress, silent
 from vitrail.engines.base import EngineFailure, Rendering
 from vitrail.engines.child import GIBIBYTE, Finished, Limits, run_child
 
 PROGRAM = "vitrail-tracer"
-BAD_INPUT, INTERRUPTED = 2, 130
 
 ADDRESS_ROOM_BYTES = 8 * GIBIBYTE
 """Address space beyond the tracer's memory limit: thread stacks and allocator arenas reserve it without using it."""
@@ -105,7 +105,7 @@ class Tracer:
             raise EngineFailure(self.name, f"{self.program} cannot be started ({error.strerror})", remedy) from None
         if finished.code == 0 or finished.interrupted:
             return finished
-        if finished.code == BAD_INPUT:
+        if finished.code == ExitCode.SCENE_ERROR:
             remedy = "this is a defect of the lowering or a limit of the tracer; its words follow"
             raise EngineFailure(self.name, "it refused its input", remedy, finished.said)
         remedy = "run it again with fewer photons or threads if memory ran out; its words follow"

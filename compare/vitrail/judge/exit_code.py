@@ -9,50 +9,57 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import assert_never
 
+from vitrail.base.exit_code import ExitCode
 from vitrail.judge.comparison import Verdict
 from vitrail.judge.records import Status
 
-AGREES, DEVIATES, SCENE_ERROR, NOT_TRANSLATABLE, ENGINE_FAILED, INCONCLUSIVE = range(6)
-DEFECT, INTERRUPTED = 70, 130
+RANK = (
+    ExitCode.INTERRUPTED,
+    ExitCode.DEFECT,
+    ExitCode.SCENE_ERROR,
+    ExitCode.ENGINE_FAILED,
+    ExitCode.NOT_TRANSLATABLE,
+    ExitCode.DEVIATES,
+    ExitCode.INCONCLUSIVE,
+    ExitCode.AGREES,
+)
 
-RANK = (INTERRUPTED, DEFECT, SCENE_ERROR, ENGINE_FAILED, NOT_TRANSLATABLE, DEVIATES, INCONCLUSIVE, AGREES)
 
-
-def of_verdict(verdict: Verdict | None) -> int:
+def of_verdict(verdict: Verdict | None) -> ExitCode:
     """The exit code of a verdict; a judged scene with nothing to judge is an error of the scene."""
     match verdict:
         case Verdict.AGREES:
-            return AGREES
+            return ExitCode.AGREES
         case Verdict.DEVIATES:
-            return DEVIATES
+            return ExitCode.DEVIATES
         case Verdict.INCONCLUSIVE:
-            return INCONCLUSIVE
+            return ExitCode.INCONCLUSIVE
         case None:
-            return SCENE_ERROR
+            return ExitCode.SCENE_ERROR
         case _:
             assert_never(verdict)
 
 
-def of_scene(status: Status, verdict: Verdict | None) -> int:
+def of_scene(status: Status, verdict: Verdict | None) -> ExitCode:
     """The exit code of one scene."""
     match status:
         case Status.JUDGED:
             return of_verdict(verdict)
         case Status.SCENE_ERROR | Status.GATE_FAILED:
-            return SCENE_ERROR
+            return ExitCode.SCENE_ERROR
         case Status.NOT_TRANSLATABLE:
-            return NOT_TRANSLATABLE
+            return ExitCode.NOT_TRANSLATABLE
         case Status.ENGINE_FAILED:
-            return ENGINE_FAILED
+            return ExitCode.ENGINE_FAILED
         case Status.DEFECT:
-            return DEFECT
+            return ExitCode.DEFECT
         case Status.INTERRUPTED:
-            return INTERRUPTED
+            return ExitCode.INTERRUPTED
         case _:
             assert_never(status)
 
 
-def of_run(codes: Iterable[int]) -> int:
+def of_run(codes: Iterable[int]) -> ExitCode:
     """The exit code of a run is that of its worst scene; a run without scenes is an error of use."""
     found = set(codes)
-    return next((code for code in RANK if code in found), SCENE_ERROR)
+    return next((code for code in RANK if code in found), ExitCode.SCENE_ERROR)

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
-from vitrail.judge.exit_code import INTERRUPTED, of_run, of_scene
+from vitrail.base.exit_code import ExitCode
+from vitrail.judge.exit_code import of_run, of_scene
 from vitrail.judge.false_alarms import SUITE_FALSE_ALARM_RATE, sidak
 from vitrail.judge.judgement import judge_observation
 from vitrail.judge.records import Results, Run, SceneResult, Status
@@ -51,7 +52,7 @@ def judge(
         for run in runs
     )
     keys = [scene.verdict.value if scene.verdict else "unjudged" for scene in scenes]
-    codes = [scene.exit_code for scene in scenes] + ([INTERRUPTED] if about.interrupted else [])
+    codes = [scene.exit_code for scene in scenes] + ([ExitCode.INTERRUPTED] if about.interrupted else [])
     return Results(
         run=about,
         false_alarms=shared,

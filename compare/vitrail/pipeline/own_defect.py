@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import errno
 import traceback
 from collections.abc import Callable
 from typing import TypeVar
 
+from vitrail.base.disk_error import is_disk_error
 from vitrail.images.exr import ImageError
 from vitrail.judge.records import SceneResult, Status
 from vitrail.judge.reference_files import ReferencesError
@@ -25,8 +25,7 @@ TRACEBACK = "traceback.txt"
 def is_own_defect(error: Exception) -> bool:
     """Whether nobody but this program is to blame: neither a scene, a reference, an image nor a place on disk."""
     if isinstance(error, OSError):
-        # Writing to a full disk names no file.
-        return error.filename is None and error.errno not in (errno.ENOSPC, errno.EDQUOT)
+        return not is_disk_error(error)
     return not isinstance(error, SceneErrors | ReferencesError | ThresholdError | ImageError)
 
 

@@ -2,19 +2,14 @@
 
 from __future__ import annotations
 
-import errno
 from collections.abc import Iterator
 from contextlib import contextmanager
 
 import typer
 
+from vitrail.base.disk_error import is_disk_error
+from vitrail.base.exit_code import ExitCode
 from vitrail.base.fault import Fault
-
-AGREES, DEVIATES, SCENE_ERROR, NOT_TRANSLATABLE, ENGINE_FAILED, INCONCLUSIVE = range(6)
-INTERRUPTED, TERMINATED = 130, 143
-DEFECT = 70
-"""A defect of this program, as in sysexits.h. Python would end with 1, which says that a scene deviates."""
-DISK_FULL = (errno.ENOSPC, errno.EDQUOT)
 
 
 @contextmanager
@@ -32,36 +27,35 @@ def exit_codes() -> Iterator[None]:
         yield
     except SceneErrors as errors:
         _say(str(diagnostic) for diagnostic in errors.diagnostics)
-        raise typer.Exit(SCENE_ERROR) from None
+        raise typer.Exit(ExitCode.SCENE_ERROR) from None
     except EngineFailure as failure:
         _say([str(failure)])
-        raise typer.Exit(ENGINE_FAILED) from None
+        raise typer.Exit(ExitCode.ENGINE_FAILED) from None
     except KeyboardInterrupt:
         _say(["interrupted"])
-        raise typer.Exit(INTERRUPTED) from None
+        raise typer.Exit(ExitCode.INTERRUPTED) from None
     except OSError as error:
-        # Writing to a full disk names no file, and is nobody's defect.
-        if error.filename is None and error.errno not in DISK_FULL:
+        if not is_disk_error(error):
             raise
         what = (error.strerror or "it cannot be used").lower()
         _say([f"{error.filename or 'the disk'}: {what}; name another place, or free this one"])
-        raise typer.Exit(SCENE_ERROR) from None
+        raise typer.Exit(ExitCode.SCENE_ERROR) from None
     except Exception as error:
         from vitrail.lower.povray import NotTranslatable
 
         if isinstance(error, Fault):
             _say([str(error)])
-            raise typer.Exit(SCENE_ERROR) from None
+            raise typer.Exit(ExitCode.SCENE_ERROR) from None
         if not isinstance(error, NotTranslatable):
             raise
         _say(str(diagnostic) for diagnostic in error.diagnostics)
-        raise typer.Exit(NOT_TRANSLATABLE) from None
+        raise typer.Exit(ExitCode.NOT_TRANSLATABLE) from None
 
 
 def usage_error(message: str) -> typer.Exit:
     """A wrong option, said on stderr; raise what comes back."""
     _say([message])
-    return typer.Exit(SCENE_ERROR)
+    return typer.Exit(ExitCode.SCENE_ERROR)
 
 
 def _say(lines: Iterator[str] | list[str]) -> None:
