@@ -9,7 +9,7 @@ import jsonschema
 import pytest
 from pydantic import ValidationError
 
-from vitrail.base.record import Record, json_text, read_record, record_schema, record_text, write_record
+from vitrail.base.record import Record, json_text, number_in, read_record, record_schema, record_text, write_record
 
 
 class Point(Record):
@@ -48,3 +48,10 @@ def test_the_schema_accepts_what_is_written_and_nothing_more() -> None:
     jsonschema.validate(json.loads(record_text(Point(y=2.0, x=0.1))), schema)
     with pytest.raises(jsonschema.ValidationError):
         jsonschema.validate({"x": 1.0, "y": 2.0, "z": 3.0}, schema)
+
+
+def test_a_number_of_an_open_part_has_a_default_and_is_a_number() -> None:
+    assert number_in({"radius_m": 1}, "radius_m", 0.5) == 1.0
+    assert number_in({"radius_m": None}, "radius_m", 0.5) == number_in({}, "radius_m", 0.5) == 0.5
+    with pytest.raises(TypeError, match="radius_m is 'wide'"):
+        number_in({"radius_m": "wide"}, "radius_m", 0.5)

@@ -24,6 +24,16 @@ JsonObject = Mapping[str, Any]
 R = TypeVar("R", bound=BaseModel)
 
 
+def number_in(values: Mapping[str, JsonValue], name: str, default: float) -> float:
+    """One number of an open part of a record, ``default`` where it is absent or null; TypeError for anything else."""
+    value = values.get(name)
+    if value is None:
+        return default
+    if not isinstance(value, int | float):
+        raise TypeError(f"{name} is {value!r}, which is no number")
+    return float(value)
+
+
 def json_text(value: JsonValue, *, indent: int = 1) -> str:
     """JSON for a file: keys sorted and one value a line, so that two runs can be compared line by line.
 

@@ -8,9 +8,9 @@ its cause. Lengths are metres, radiance W sr^-1 m^-2.
 from __future__ import annotations
 
 from enum import StrEnum
-from typing import Any, Literal
+from typing import Literal
 
-from pydantic import Field
+from pydantic import Field, JsonValue
 
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.base.record import Record
@@ -114,8 +114,8 @@ class Comparison(Record):
     sample_factor: float | None = None
     reason: str
     attribution: Attribution | None = None
-    settings: dict[str, Any] = {}
-    parts: dict[str, Any] = {}
+    settings: dict[str, JsonValue] = {}
+    parts: dict[str, JsonValue] = {}
     caveats: tuple[str, ...] = ()
 
 

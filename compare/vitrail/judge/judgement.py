@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from vitrail.base.phenomenon import Phenomenon
+from vitrail.base.record import number_in
 from vitrail.judge.attribution import attribute, headline
 from vitrail.judge.comparison import Comparison, ObservationResult, TolerancePart, Verdict
 from vitrail.judge.observe import Observed
@@ -54,7 +55,7 @@ def _judge(
     parts: Sequence[TolerancePart] = [own or rule.part(measured.ideal, observed.half_edge_m)]
     is_translated = "povray" in (measured.pair.candidate, measured.pair.reference)
     # Rounding of the whole weighs more in a share of it; it does not move light from place to place.
-    whole_over_light = float(measured.settings.get("whole_over_light", 1.0)) if rule.kind == "relative" else 1.0
+    whole_over_light = number_in(measured.settings, "whole_over_light", 1.0) if rule.kind == "relative" else 1.0
     stated = residual(observed.observation.phenomenon, whole_over_light)
     widening = rule.widening(stated, measured.ideal, observed.half_edge_m) if is_translated else 0.0
     if widening > 0:

@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
 
 import numpy as np
+from pydantic import JsonValue
 
 
-def plain(mapping: Mapping[str, Any]) -> dict[str, Any]:
+def plain(mapping: Mapping[str, object]) -> dict[str, JsonValue]:
     """Arrays become lists, numpy numbers become numbers, mappings and tuples are walked through."""
     return {str(key): _value(value) for key, value in mapping.items()}
 
 
-def _value(value: Any) -> Any:
+def _value(value: object) -> JsonValue:
     if isinstance(value, Mapping):
         return plain(value)
     if isinstance(value, np.ndarray):
@@ -22,4 +22,6 @@ def _value(value: Any) -> Any:
         return value.item()
     if isinstance(value, list | tuple):
         return [_value(item) for item in value]
-    return value
+    if value is None or isinstance(value, str | bool | int | float):
+        return value
+    raise TypeError(f"{value!r} is a {type(value).__name__}, which JSON cannot hold")

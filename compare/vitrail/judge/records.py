@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from enum import StrEnum
 from pathlib import Path
-from typing import Any, Literal
+from typing import Literal
 
 from pydantic import Field, JsonValue
 
@@ -46,8 +46,8 @@ class GlobalMetric(Record):
     floor: float | None = None
     tolerance: float | None = None
     verdict: Verdict | None = None
-    settings: dict[str, Any] = {}
-    parts: dict[str, Any] = {}
+    settings: dict[str, JsonValue] = {}
+    parts: dict[str, JsonValue] = {}
     caveats: tuple[str, ...] = ()
 
 
@@ -92,9 +92,9 @@ class EngineRun(Record):
     photons_stored: int | None = None
     photons_per_cpu_s: float | None = None
     gathers_per_cpu_s: float | None = None
-    settings: dict[str, Any] = {}
+    settings: dict[str, JsonValue] = {}
     warnings: tuple[str, ...] = ()
-    record: dict[str, Any] = {}
+    record: dict[str, JsonValue] = {}
 
 
 class Speed(Record):
@@ -145,7 +145,7 @@ class SceneResult(Record):
     height: int = 0
     exposure_stops: float = 0.0
     plan: tuple[PlanEntry, ...] = ()
-    settings: dict[str, Any] = {}
+    settings: dict[str, JsonValue] = {}
     certificate: tuple[CertificateEntry, ...] = ()
     engines: tuple[EngineRun, ...] = ()
     speed: tuple[Speed, ...] = ()

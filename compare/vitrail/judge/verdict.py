@@ -10,8 +10,8 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
-from typing import Any
 
+from pydantic import JsonValue
 from scipy import stats
 
 from vitrail.judge.comparison import Comparison, Interval, Pair, TolerancePart, Verdict
@@ -44,8 +44,8 @@ class Measured:
     ideal: float
     noise: Noise
     ideal_source: str = ""
-    settings: dict[str, Any] = field(default_factory=dict)
-    parts: dict[str, Any] = field(default_factory=dict)
+    settings: dict[str, JsonValue] = field(default_factory=dict)
+    parts: dict[str, JsonValue] = field(default_factory=dict)
     caveats: tuple[str, ...] = ()
     smoothing: float = 0.0
 

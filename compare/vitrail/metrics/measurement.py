@@ -62,8 +62,8 @@ class Measurement:
     value: float
     unit: str
     ideal: float | None = None
-    settings: Mapping[str, Any] = field(default_factory=dict)
-    parts: Mapping[str, Any] = field(default_factory=dict)
+    settings: Mapping[str, object] = field(default_factory=dict)
+    parts: Mapping[str, object] = field(default_factory=dict)
     caveats: tuple[str, ...] = ()
     interval: StudentInterval | None = None
     floor: float | None = None

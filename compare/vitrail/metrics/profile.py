@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
@@ -25,7 +24,7 @@ class PhenomenonLight:
     whole_over_light: float = 1.0
 
     @property
-    def settings(self) -> dict[str, Any]:
+    def settings(self) -> dict[str, object]:
         """What a measurement says about the light that it was taken of."""
         return {"light": self.source, "whole_over_light": self.whole_over_light}
 

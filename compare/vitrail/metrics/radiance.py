@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
 
 import numpy as np
 
@@ -25,7 +24,7 @@ def patch_mean(samples: PatchSamples) -> np.ndarray:
 
 
 def channel_ratios(
-    family: str, ours: np.ndarray, theirs: np.ndarray, settings: Mapping[str, Any], caveats: tuple[str, ...] = ()
+    family: str, ours: np.ndarray, theirs: np.ndarray, settings: Mapping[str, object], caveats: tuple[str, ...] = ()
 ) -> list[Measurement]:
     """``family.<channel>`` = ours / theirs, ideal 1; a channel that is dark in both images is left out.
 

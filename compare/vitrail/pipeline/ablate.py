@@ -12,6 +12,7 @@ from pathlib import Path
 
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.base.progress import Progress, silent
+from vitrail.base.record import number_in
 from vitrail.engines.base import EngineFailure
 from vitrail.geometry.world import World
 from vitrail.images.exr import ImageError, ImageLayers, read_image
@@ -117,7 +118,7 @@ def search_whereabouts(
     # The same places are measured in the same way; what they should give by formula is another matter now.
     truth = replace(known, truths={}, profiles={})
     own = {image.side: read_image(request.out / image.exr) for image in record.images if image.side != "stored"}
-    radius_m = float(record.settings.get("gather_radius_m") or 0.0)
+    radius_m = number_in(record.settings, "gather_radius_m", 0.0)
     light = patch_lights(scene, own, truth, radius_m)
     price_s = sum(engine.cpu_s or 0.0 for engine in record.engines)
     ablated = []

@@ -13,6 +13,7 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from vitrail.base.record import number_in
 from vitrail.judge.comparison import Comparison, Verdict
 from vitrail.judge.records import EngineRun, MoreSamples, SceneResult
 
@@ -78,8 +79,8 @@ def _can_decide(comparison: Comparison) -> bool:
 
 def _engine_price_s(engine: EngineRun, factor: float, rays: float) -> float:
     """One engine's share. What is in no phase is taken as growing too: it is mostly reading and writing samples."""
-    phases: Mapping[str, float | None] = engine.record.get("cpu_s", {})
-    camera = sum(phases.get(name) or 0.0 for name in ("camera", "gather"))
+    phases = engine.record.get("cpu_s")
+    camera = sum(number_in(phases, name, 0.0) for name in ("camera", "gather")) if isinstance(phases, dict) else 0.0
     rest = max((engine.cpu_s or 0.0) - camera, 0.0)
     found = factor**GATHER_GROWTH if engine.photons_stored else 1.0
     return rest * factor + camera * rays * found

@@ -5,8 +5,8 @@
 from __future__ import annotations
 
 import shutil
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 from vitrail.images.exr import read_image
 from vitrail.images.false_colour import COLD, HEAT, HOT, NEUTRAL
@@ -72,11 +72,22 @@ def build_report(folder: Path) -> Path:
     return folder / "index.html"
 
 
-def _viewer(folder: Path, scene: SceneResult) -> dict[str, Any] | None:
+@dataclass(frozen=True)
+class Viewer:
+    """What the page's viewer needs: ``data`` for its script, ``views`` to choose from, and the scripts of pixels."""
+
+    data: dict[str, object]
+    views: list[tuple[str, str, str]]
+    layers: list[str]
+    sides: list[str]
+    scripts: list[str]
+
+
+def _viewer(folder: Path, scene: SceneResult) -> Viewer | None:
     """Write the scene's pixels as scripts and return what its viewer needs to know; None without images."""
     if not scene.images:
         return None
-    place = folder / scene.name
+    place, has_error = folder / scene.name, "error" in scene.differences
     scripts, layers = [], []
     for image in scene.images:
         pixels = read_image(folder / image.exr)
@@ -84,22 +95,20 @@ def _viewer(folder: Path, scene: SceneResult) -> dict[str, Any] | None:
         for layer, array in pixels.layers.items():
             # Layers are loaded by the page when somebody asks for them.
             layers.append((layer, image.side, write_tiles(place, f"{image.side}.{layer}", array)))
-    if "error" in scene.differences:
+    if has_error:
         scripts += write_tiles(place, "error", read_image(folder / scene.differences["error"]).radiance[..., :1])
     sides = [image.side for image in scene.images]
-    data = {
+    data: dict[str, object] = {
         "sides": sides,
         "names": {side: page.side_name(side) for side in sides},
         "width": scene.width,
         "height": scene.height,
         "stops": scene.exposure_stops,
-        "has_error": "error" in scene.differences,
+        "has_error": has_error,
         "layers": {f"{side}.{layer}": names for layer, side, names in layers},
         "maps": {"heat": HEAT.tolist(), "signed": [COLD.tolist(), NEUTRAL.tolist(), HOT.tolist()]},
         "outlines": {entry.name: entry.patch.outline_px for entry in scene.observations},
     }
-    views = [
-        view for view in VIEWS if (view[0] != "error" or data["has_error"]) and (len(sides) > 1 or view[0] == "side")
-    ]
+    views = [view for view in VIEWS if (view[0] != "error" or has_error) and (len(sides) > 1 or view[0] == "side")]
     names = list(dict.fromkeys(layer for layer, _, _ in layers))
-    return {"data": data, "views": views, "layers": names, "sides": sides, "scripts": scripts}
+    return Viewer(data, views, names, sides, scripts)

@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+
+from pydantic import JsonValue
 
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.judge.comparison import Comparison, ObservationResult, Pair, Verdict
@@ -173,9 +174,9 @@ def _distance(comparison: Comparison) -> float:
     return abs(comparison.difference) / max(comparison.tolerance, 1e-300)
 
 
-def flat(record: Mapping[str, Any], prefix: str = "") -> list[tuple[str, Any]]:
+def flat(record: Mapping[str, JsonValue], prefix: str = "") -> list[tuple[str, JsonValue]]:
     """A nested mapping as rows of dotted key and value, for a table of settings."""
-    rows: list[tuple[str, Any]] = []
+    rows: list[tuple[str, JsonValue]] = []
     for key, value in record.items():
         name = f"{prefix}{key}"
         if isinstance(value, Mapping):
@@ -185,7 +186,7 @@ def flat(record: Mapping[str, Any], prefix: str = "") -> list[tuple[str, Any]]:
     return rows
 
 
-def setting(value: Any) -> str:
+def setting(value: JsonValue) -> str:
     """A value of a settings table: numbers as numbers, lists with commas, nothing for absent."""
     if isinstance(value, bool) or value is None:
         return {True: "yes", False: "no", None: "–"}[value]

@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import PurePosixPath
-from typing import Any
 
 from vitrail.judge.comparison import Comparison, ObservationResult
 from vitrail.judge.records import Results, SceneResult
@@ -99,14 +98,23 @@ PLATES = (
 )
 
 
-def plates_of(results: Results) -> list[dict[str, Any]]:
+@dataclass(frozen=True)
+class ShownPlate:
+    """A plate with the scenes of a run: ``columns`` with the words over each, ``rows`` the makers of the pictures."""
+
+    plate: Plate
+    columns: list[tuple[str, SceneResult]]
+    rows: list[str]
+
+
+def plates_of(results: Results) -> list[ShownPlate]:
     """The plates of which a run has a scene, each with its scenes in the paper's order; nothing for other runs."""
     found = {PurePosixPath(scene.source).stem: scene for scene in results.scenes}
     plates = []
     for plate in PLATES:
         columns = [(words, found[stem]) for stem, words in plate.scenes.items() if stem in found]
         if columns:
-            plates.append({"plate": plate, "columns": columns, "rows": _sides([scene for _, scene in columns])})
+            plates.append(ShownPlate(plate, columns, _sides([scene for _, scene in columns])))
     return plates
 
 

@@ -6,11 +6,13 @@ stands. What our back end makes of the same scene is a third reading, ``povray_l
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Any, Literal, get_args
+from typing import Literal, get_args
 
 import numpy as np
+
+from vitrail.base.record import JsonObject
 
 AtlasEngine = Literal["tracer", "povray"]
 ENGINES: tuple[AtlasEngine, ...] = get_args(AtlasEngine)
@@ -30,7 +32,7 @@ class Ray:
 
     origin: tuple[float, float, float]
     direction: tuple[float, float, float]
-    read: Callable[[list[dict]], float]
+    read: Callable[[list[JsonObject]], float]
     branch: Literal["transmit", "reflect"] = "transmit"
 
 
@@ -56,7 +58,7 @@ class Axis:
     tolerance: dict[AtlasEngine, Tolerance]
     read: Callable[[np.ndarray, float], float] = lambda image, value: float(np.mean(image))
     ray: Callable[[float], Ray] | None = None
-    ledger: Callable[[Mapping[str, Any]], float] | None = None
+    ledger: Callable[[JsonObject], float] | None = None
     whole: bool = False
     is_binary: bool = False
     pixels: int = 4

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from vitrail.base.record import JsonObject
 from vitrail.study.extremes.axis import Axis, Ray, Tolerance
 from vitrail.study.extremes.sdl_text import CLEAR, FRESNEL, header, orthographic
 from vitrail.study.extremes.search import walk
@@ -42,7 +43,7 @@ def _moved_sdl(offset: float) -> str:
     )
 
 
-def _slope(vertices: list[dict]) -> float:
+def _slope(vertices: list[JsonObject]) -> float:
     """The slope of the ray behind the ball: a direction, because places carry the size of the offset."""
     x, _, z = vertices[-2]["direction_out"]
     return x / abs(z)

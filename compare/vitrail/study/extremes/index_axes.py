@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from vitrail.base.record import JsonObject
 from vitrail.study.extremes.axis import Axis, Ray, Tolerance
 from vitrail.study.extremes.sdl_text import CLEAR, header, orthographic
 from vitrail.study.extremes.search import walk
@@ -32,7 +33,7 @@ lights: []
 """
 
 
-def _tangent(vertices: list[dict]) -> float:
+def _tangent(vertices: list[JsonObject]) -> float:
     """Tangent of the refracted angle from the face's normal (the z axis)."""
     x, y, z = vertices[0]["direction_out"]
     return math.hypot(x, y) / abs(z)

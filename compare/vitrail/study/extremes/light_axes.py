@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
-from typing import Any
 
 import numpy as np
 
+from vitrail.base.record import JsonObject
 from vitrail.study.extremes.axis import Axis, Tolerance
 from vitrail.study.extremes.sdl_text import CLEAR, header, orthographic
 from vitrail.study.extremes.search import walk
@@ -186,7 +185,7 @@ def _deep_sdl(panes: float) -> str:
     )
 
 
-def _accounted(ledger: Mapping[str, Any]) -> float:
+def _accounted(ledger: JsonObject) -> float:
     """What is stored, absorbed or escaped, over what was emitted, in red; what is cut for its depth is missing."""
     red = {name: ledger[name][0] for name in ("emitted", "stored", "absorbed", "escaped")}
     return (red["stored"] + red["absorbed"] + red["escaped"]) / red["emitted"]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from vitrail.base.record import JsonObject
 from vitrail.study.extremes.axis import Axis, Ray, Tolerance
 from vitrail.study.extremes.sdl_text import CLEAR, glowing_plane, header, orthographic
 from vitrail.study.extremes.search import walk
@@ -11,7 +12,7 @@ from vitrail.study.extremes.search import walk
 HALF_FLOAT = "POV-Ray writes half floats: 5e-4 of rounding, and a lost face is a factor"
 
 
-def last_throughput(vertices: list[dict]) -> float:
+def last_throughput(vertices: list[JsonObject]) -> float:
     return float(vertices[-1]["throughput"][0])
 
 

@@ -17,6 +17,8 @@ from vitrail.study.mutants import misreadings as misread
 from vitrail.study.mutants.mutant import Mutant
 
 P = Phenomenon
+Lowered = dict[str, Any]
+"""The tracer's scene, which a mutant changes in place."""
 
 
 def _written(name: str, phenomenon: Phenomenon, what: str, edit: Edit) -> Mutant:
@@ -32,8 +34,8 @@ def _tracer_misread(name: str, phenomenon: Phenomenon, what: str, reading: misre
     return Mutant(name, "tracer", phenomenon, what, Defect(name, misread_by_tracer=reading))
 
 
-def _in_tracer(name: str, phenomenon: Phenomenon, what: str, change: Callable[[dict[str, Any]], None]) -> Mutant:
-    def apply(lowered: dict[str, Any]) -> dict[str, Any]:
+def _in_tracer(name: str, phenomenon: Phenomenon, what: str, change: Callable[[Lowered], None]) -> Mutant:
+    def apply(lowered: Lowered) -> Lowered:
         change(lowered)
         return lowered
 
@@ -72,15 +74,15 @@ def _aims_photons(part: Part) -> bool:
     return isinstance(part, Block) and part.head == "photons" and values_of(part, "target") is not None
 
 
-def _drop_total_reflection(lowered: dict[str, Any]) -> None:
+def _drop_total_reflection(lowered: Lowered) -> None:
     lowered["paper"]["tir"] = "drop"
 
 
-def _lose_photons(lowered: dict[str, Any]) -> None:
+def _lose_photons(lowered: Lowered) -> None:
     lowered["plan"]["caustic"] = False
 
 
-def _white_bands(lowered: dict[str, Any]) -> None:
+def _white_bands(lowered: Lowered) -> None:
     """Every band an even share of white: the weights still add up, and the spectrum has no colours."""
     count = len(lowered["bands"])
     for band in lowered["bands"]:
@@ -98,7 +100,7 @@ def _loud_bands(scene: PovrayScene) -> PovrayScene:
     return replace(scene, runs=tuple(replace(run, gain=gain) for run, gain in zip(scene.runs, whole, strict=True)))
 
 
-def _lambert_without_fresnel(lowered: dict[str, Any]) -> None:
+def _lambert_without_fresnel(lowered: Lowered) -> None:
     for material in lowered["materials"]:
         material["fresnel"] = False
 

@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
-from typing import Any
+from collections.abc import Callable, Mapping
 
 from vitrail.base.changed import changed
 from vitrail.scene.model import Area, Directional, Light, Material, Object, Rectangle, Scene, Sphere, Transport
 
 Misreading = Callable[[Scene], Scene]
 Triplet = tuple[float, float, float]
+Fields = Mapping[str, object]
+"""Fields of a material by name, as they are misread."""
 
 
-def materials(change: Callable[[Material], dict[str, Any]]) -> Misreading:
+def materials(change: Callable[[Material], Fields]) -> Misreading:
     """Replace fields of every material; what ``change`` returns may be empty."""
 
     def misread(scene: Scene) -> Scene:
@@ -23,7 +24,7 @@ def materials(change: Callable[[Material], dict[str, Any]]) -> Misreading:
     return misread
 
 
-def glass(change: Callable[[Material], dict[str, Any]]) -> Misreading:
+def glass(change: Callable[[Material], Fields]) -> Misreading:
     """Replace fields of transmissive materials only."""
     return materials(lambda material: change(material) if material.is_transmissive else {})
 
@@ -36,7 +37,7 @@ def objects(change: Callable[[Object], Object]) -> Misreading:
     return lambda scene: scene.model_copy(update={"objects": tuple(change(item) for item in scene.objects)})
 
 
-def transport(**changes: Any) -> Misreading:
+def transport(**changes: object) -> Misreading:
     def misread(scene: Scene) -> Scene:
         return scene.model_copy(
             update={"transport": Transport.model_validate({**scene.transport.model_dump(), **changes})}
@@ -53,14 +54,14 @@ def times(colour: Triplet, factor: float) -> Triplet:
     return (colour[0] * factor, colour[1] * factor, colour[2] * factor)
 
 
-def with_index(factor: float) -> Callable[[Material], dict[str, Any]]:
+def with_index(factor: float) -> Callable[[Material], Fields]:
     return lambda material: {} if material.ior is None or material.ior == 1 else {"ior": material.ior * factor}
 
 
-def with_dispersion(factor: float) -> Callable[[Material], dict[str, Any]]:
+def with_dispersion(factor: float) -> Callable[[Material], Fields]:
     """Scale the step between bands about the mean index of four, so that only the spread changes."""
 
-    def change(material: Material) -> dict[str, Any]:
+    def change(material: Material) -> Fields:
         if not isinstance(material.dispersion, float) or material.ior is None:
             return {}
         return {
@@ -71,13 +72,13 @@ def with_dispersion(factor: float) -> Callable[[Material], dict[str, Any]]:
     return change
 
 
-def with_absorption(factor: float) -> Callable[[Material], dict[str, Any]]:
+def with_absorption(factor: float) -> Callable[[Material], Fields]:
     return lambda material: (
         {} if material.absorption_per_m is None else {"absorption_per_m": times(material.absorption_per_m, factor)}
     )
 
 
-def with_roughness(factor: float) -> Callable[[Material], dict[str, Any]]:
+def with_roughness(factor: float) -> Callable[[Material], Fields]:
     return lambda material: {"roughness": material.roughness * factor} if isinstance(material.roughness, float) else {}
 
 
@@ -135,6 +136,6 @@ def brighter_suns(factor: float) -> Misreading:
     return lights(change)
 
 
-def _updated(material: Material, changes: dict[str, Any]) -> Material:
+def _updated(material: Material, changes: Fields) -> Material:
     """A changed copy, not checked again: a defect may break the rules that a scene keeps."""
     return material.model_copy(update=changes)

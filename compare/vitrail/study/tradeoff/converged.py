@@ -13,7 +13,6 @@ import threading
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 from vitrail.engines.tracer import Tracer
 from vitrail.images.exr import ImageLayers, read_image
@@ -47,7 +46,7 @@ class Converged:
         spec = {"scene": scene_hash(self.loaded.scene), "build": self.build, "settings": self._settings_record()}
         return Task("reference", {"engine": "tracer", **spec})
 
-    def _settings_record(self) -> dict[str, Any]:
+    def _settings_record(self) -> dict[str, dict[str, float]]:
         """What decides the two images, for the key and for a reader."""
         return {
             name: {"samples": each.samples, "photons": each.photons, "gather_radius_m": each.gather_radius_m}

@@ -6,15 +6,19 @@ materials do; they are taken out of the materials.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
-from typing import Any, assert_never
+from typing import assert_never
 
+from vitrail.base.changed import changed
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.plan.plan import Plan, Requirement
-from vitrail.scene.model import Attenuation, Material, Scene
+from vitrail.scene.model import Material, Scene
 
 Triplet = tuple[float, float, float]
+Fields = Mapping[str, object]
+"""Fields of a material by name, with what takes their place."""
+
 HOW: dict[Phenomenon, str] = {
     Phenomenon.DIFFUSION: "no surface scatters light",
     Phenomenon.REFLECTION: "no ray is mirrored, not even inside glass",
@@ -59,28 +63,28 @@ def without(scene: Scene, plan: Plan, phenomenon: Phenomenon) -> tuple[Scene, Pl
             assert_never(phenomenon)
 
 
-def _with_materials(scene: Scene, change: Callable[[Material], dict[str, Any]]) -> Scene:
+def _with_materials(scene: Scene, change: Callable[[Material], Fields]) -> Scene:
     materials = {name: material.model_copy(update=change(material)) for name, material in scene.materials.items()}
     return scene.model_copy(update={"materials": materials})
 
 
-def _straight(material: Material) -> dict[str, Any]:
+def _straight(material: Material) -> Fields:
     """Index 1 for glass; a Fresnel mirror then reflects nothing."""
     if not material.is_transmissive:
         return {}
     return {"ior": 1.0, "dispersion": None, "glass": None}
 
 
-def _grey(material: Material) -> dict[str, Any]:
+def _grey(material: Material) -> Fields:
     """The mean of the channels in every colour that light takes on inside or at the faces."""
     if not material.is_transmissive:
         return {}
-    update: dict[str, Any] = {"transmission": _mean(material.transmission)}
+    update: dict[str, object] = {"transmission": _mean(material.transmission)}
     if material.absorption_per_m is not None:
         update["absorption_per_m"] = _mean(material.absorption_per_m)
     if material.attenuation is not None:
         colour = _mean(material.attenuation.color)
-        update["attenuation"] = Attenuation.model_construct(**{**dict(material.attenuation), "color": colour})
+        update["attenuation"] = changed(material.attenuation, color=colour)
     return update
 
 
