@@ -13,6 +13,8 @@ namespace {
 std::vector<std::pair<std::string, Shape>> solids() {
   const std::vector<std::array<double, 2>> triangle = {{-1, -0.5}, {1, -0.5}, {0, 1}};
   const std::vector<std::array<double, 2>> arrow = {{0, -1}, {1, 1}, {0, 0.25}, {-1, 1}};
+  const std::vector<std::array<double, 2>> cup = {{0, -0.75},  {0.5, -0.75}, {0.125, -0.5}, {0.75, 0.5},
+                                                  {0.5, 0.75}, {0.5, 0.5},   {0, -0.25}};
   std::vector<std::pair<std::string, Shape>> list;
   for (const Frame& frame : {Frame{}, turned({0.1, -0.2, 0.05})}) {
     const std::string how = frame.identity ? "" : " turned";
@@ -24,10 +26,13 @@ std::vector<std::pair<std::string, Shape>> solids() {
     list.push_back({"meniscus" + how, LensShape{1.0, -1.5, 0.3, 1.5, frame}});
     list.push_back({"planoconvex" + how, LensShape{0, 1.25, 0.5, 1.25, frame}});
     list.push_back({"rod" + how, LensShape{0.5, 0.5, 2, 1, frame}});
+    list.push_back({"lathe" + how, LatheShape{cup, frame}});
   }
   list.push_back({"sphere", SphereShape{{0.25, 0.5, -0.125}, 0.75}});
   list.push_back({"cylinder", CylinderShape{{-0.5, -0.75, 0.25}, {0.5, 0.5, 0.5}, 0.5}});
   list.push_back({"cone", ConeShape{{-0.5, -0.75, 0.25}, {0.5, 0.5, 0.5}, 0.25, 0.75}});
+  list.push_back({"torus", TorusShape{{0.125, 0, -0.25}, normalise({1, 2, 3}), 0.625, 0.25}});
+  list.push_back({"thick torus", TorusShape{{0, 0, 0}, {0, 1, 0}, 0.5, 0.4921875}});
   list.push_back({"pointed cone", ConeShape{{0, -0.75, 0}, {0, 0.75, 0}, 0.5, 0}});
   return list;
 }
@@ -171,6 +176,9 @@ TEST_P(EverySolid, ScalesByPowersOfTwoToTheBit) {
         if constexpr (std::is_same_v<S, CylinderShape>) s.from = s.from * k, s.to = s.to * k, s.radius *= k;
         if constexpr (std::is_same_v<S, ConeShape>)
           s.from = s.from * k, s.to = s.to * k, s.radius_from *= k, s.radius_to *= k;
+        if constexpr (std::is_same_v<S, TorusShape>) s.center = s.center * k, s.radius *= k, s.radius_tube *= k;
+        if constexpr (std::is_same_v<S, LatheShape>)
+          for (auto& corner : s.profile) corner = {corner[0] * k, corner[1] * k};
         if constexpr (std::is_same_v<S, PrismShape>) {
           for (auto& corner : s.corners) corner = {corner[0] * k, corner[1] * k};
           s.height *= k;
@@ -194,7 +202,7 @@ TEST_P(EverySolid, ScalesByPowersOfTwoToTheBit) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Solids, EverySolid, testing::Range(0, 20));
+INSTANTIATE_TEST_SUITE_P(Solids, EverySolid, testing::Range(0, 24));
 
 }  // namespace
 }  // namespace vitrail

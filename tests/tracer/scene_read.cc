@@ -34,7 +34,12 @@ const std::string kScene = R"({
       "frame": {"origin": [4, 0, 0], "rotation": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "identity": true}}},
     {"name": "prism", "material": 0, "priority": 0, "shape": {"kind": "prism",
       "corners": [[-1, 0], [1, 0], [0, 1]], "height": 2,
-      "frame": {"origin": [8, 0, 0], "rotation": [[0, -1, 0], [1, 0, 0], [0, 0, 1]], "identity": false}}}],
+      "frame": {"origin": [8, 0, 0], "rotation": [[0, -1, 0], [1, 0, 0], [0, 0, 1]], "identity": false}}},
+    {"name": "ring", "material": 0, "priority": 0, "shape": {"kind": "torus", "center": [12, 0, 0],
+      "normal": [0, 1, 0], "radius": 0.75, "radius_tube": 0.125}},
+    {"name": "cup", "material": 0, "priority": 0, "shape": {"kind": "lathe",
+      "profile": [[0, 0], [0.5, 0], [0.25, 1], [0, 1]],
+      "frame": {"origin": [16, 0, 0], "rotation": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "identity": true}}}],
   "lights": [
     {"name": "sun", "kind": "directional", "direction": [0, -1, 0], "irradiance": [3, 3, 3], "angular_diameter_deg": 0},
     {"name": "lamp", "kind": "area", "radiance": [1, 2, 3],
@@ -79,12 +84,14 @@ TEST(ReadScene, BringsEveryPartThrough) {
   EXPECT_EQ(scene.materials[0].ior_minus_one_by_band, std::vector<double>{0.5});
   EXPECT_EQ(std::get<Checker>(scene.materials[1].diffuse).size, 0.5);
   EXPECT_EQ(std::get<Equation8>(scene.materials[1].roughness).value, 0.25);
-  ASSERT_EQ(scene.objects.size(), 4u);
+  ASSERT_EQ(scene.objects.size(), 6u);
   EXPECT_EQ(scene.objects[0].priority, 3);
   EXPECT_EQ(std::get<SphereShape>(scene.objects[0].shape).radius, 0.5);
   EXPECT_EQ(std::get<LensShape>(scene.objects[2].shape).radius_back, -3);
   EXPECT_TRUE(std::get<LensShape>(scene.objects[2].shape).frame.identity);
   EXPECT_EQ(std::get<PrismShape>(scene.objects[3].shape).frame.direction_to_world({1, 0, 0}), (Vec3{0, 1, 0}));
+  EXPECT_EQ(std::get<TorusShape>(scene.objects[4].shape).radius_tube, 0.125);
+  EXPECT_EQ(std::get<LatheShape>(scene.objects[5].shape).profile[2], (std::array<double, 2>{0.25, 1}));
   EXPECT_EQ(std::get<DirectionalLight>(scene.lights[0].emitter).irradiance, (Rgb{3, 3, 3}));
   EXPECT_EQ(std::get<DiscShape>(std::get<AreaLight>(scene.lights[1].emitter).shape).radius, 0.5);
   EXPECT_EQ(scene.transport.indirect, Indirect::ambient);
@@ -133,7 +140,7 @@ const Fault kFaults[] = {
     {"\"material\": 0", "\"material\": 7", "scene.objects[0].material: is 7; write a whole number from 0 to 1"},
     {"\"kind\": \"sphere\"", "\"kind\": \"ball\"",
      "scene.objects[0].shape.kind: is \"ball\"; write one of sphere, plane, rectangle, disc, box, cylinder, cone, "
-     "prism, lens, mesh"},
+     "prism, lens, torus, lathe, mesh"},
     {"\"transmission\": [0.9, 0.9, 0.9]", "\"transmission\": [0.9, 0.95, 0.9]",
      "scene.materials[0]: makes light: diffuse + reflection + transmission is above 1; lower one of them"},
     {"\"ior_by_band\": [1.5]", "\"ior_by_band\": [1.5, 1.6]",
@@ -147,6 +154,15 @@ const Fault kFaults[] = {
      "diameter"},
     {"\"thickness\": 0.3", "\"thickness\": 0.001",
      "scene.objects[2].shape: has faces that cross inside the rim; enlarge the thickness or reduce the diameter"},
+    {"\"radius_tube\": 0.125", "\"radius_tube\": 0.75",
+     "scene.objects[4].shape: has a tube that fills its ring; write a radius_tube below the radius"},
+    {"[0.25, 1]", "[-0.25, 1]", "scene.objects[5].shape.profile[2][0]: is -0.25; write a finite number not below 0.0"},
+    {"[0.25, 1]", "[0.5, 0]",
+     "scene.objects[5].shape.profile: has the same corner twice in a row; list at least three corners around an area, "
+     "in order"},
+    {"[0.5, 0], [0.25, 1], ", "",
+     "scene.objects[5].shape.profile: is no polygon with an area; list at least three corners around an area, in "
+     "order"},
     {"[[0, -1, 0], [1, 0, 0], [0, 0, 1]]", "[[0, 1, 0], [1, 0, 0], [0, 0, 1]]",
      "scene.objects[3].shape.frame.rotation: is not a rotation; write three rows of unit length, perpendicular, the "
      "third the cross product"},

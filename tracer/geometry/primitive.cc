@@ -14,6 +14,8 @@ struct Make {
   Primitive operator()(const ConeShape& s) const { return Axial(s); }
   Primitive operator()(const PrismShape& s) const { return Prism(s); }
   Primitive operator()(const LensShape& s) const { return Lens(s); }
+  Primitive operator()(const TorusShape& s) const { return Torus(s); }
+  Primitive operator()(const LatheShape& s) const { return Lathe(s); }
   Primitive operator()(const MeshShape& s) const { return Mesh(s); }
 };
 

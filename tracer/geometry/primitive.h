@@ -6,14 +6,16 @@
 #include "geometry/axial.h"
 #include "geometry/box.h"
 #include "geometry/flat.h"
+#include "geometry/lathe.h"
 #include "geometry/lens.h"
 #include "geometry/mesh.h"
 #include "geometry/prism.h"
 #include "geometry/sphere.h"
+#include "geometry/torus.h"
 
 namespace vitrail {
 
-using Primitive = std::variant<Sphere, Plane, Rectangle, Disc, Box, Axial, Prism, Lens, Mesh>;
+using Primitive = std::variant<Sphere, Plane, Rectangle, Disc, Box, Axial, Prism, Lens, Torus, Lathe, Mesh>;
 
 /// The shape of an object, ready to be asked. Reads the file of a mesh.
 Primitive make_primitive(const Shape& shape);

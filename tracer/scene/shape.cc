@@ -37,6 +37,23 @@ Place place_between(Vec3 a, Vec3 b, double margin) {
   return {(a + b) * 0.5, std::max(largest_coordinate(b - a), margin)};
 }
 
+double doubled_area(const std::vector<std::array<double, 2>>& corners) {
+  double area = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const auto &a = corners[i], &b = corners[(i + 1) % corners.size()];
+    area += a[0] * b[1] - b[0] * a[1];
+  }
+  return area;
+}
+
+/// What is wrong with the outline of a turned solid; it may run either way round. Crossings are left to `vitrail
+/// check`.
+std::string fault_of_outline(const std::vector<std::array<double, 2>>& corners) {
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    if (corners[i] == corners[(i + 1) % corners.size()]) return "has the same corner twice in a row";
+  return corners.size() < 3 || doubled_area(corners) == 0 ? "is no polygon with an area" : "";
+}
+
 template <typename Part>
 Shape read_as(const JsonValue& value) {
   return Part::read(value);
@@ -48,7 +65,7 @@ constexpr Choice<Reader> kReaders[] = {
     {"sphere", read_as<SphereShape>}, {"plane", read_as<PlaneShape>}, {"rectangle", read_as<RectangleShape>},
     {"disc", read_as<DiscShape>},     {"box", read_as<BoxShape>},     {"cylinder", read_as<CylinderShape>},
     {"cone", read_as<ConeShape>},     {"prism", read_as<PrismShape>}, {"lens", read_as<LensShape>},
-    {"mesh", read_as<MeshShape>},
+    {"torus", read_as<TorusShape>},   {"lathe", read_as<LatheShape>}, {"mesh", read_as<MeshShape>},
 };
 static_assert(std::size(kReaders) == std::variant_size_v<Shape>, "every shape has a name in the scene file");
 
@@ -128,13 +145,10 @@ PrismShape PrismShape::read(const JsonValue& value) {
   shape.frame = read_frame(value.at("frame"));
 
   // Ask for a polygon that has an inside on its left.
-  double area = 0;
-  for (std::size_t i = 0; i < shape.corners.size(); ++i) {
-    const auto &a = shape.corners[i], &b = shape.corners[(i + 1) % shape.corners.size()];
-    if (a == b) corners.fault("has the same corner twice in a row", "drop one of them");
-    area += a[0] * b[1] - b[0] * a[1];
-  }
-  if (shape.corners.size() < 3 || !(area > 0))
+  for (std::size_t i = 0; i < shape.corners.size(); ++i)
+    if (shape.corners[i] == shape.corners[(i + 1) % shape.corners.size()])
+      corners.fault("has the same corner twice in a row", "drop one of them");
+  if (shape.corners.size() < 3 || !(doubled_area(shape.corners) > 0))
     corners.fault("is no polygon with a positive area", "list at least three corners counter-clockwise");
   return shape;
 }
@@ -160,6 +174,40 @@ LensShape LensShape::read(const JsonValue& value) {
   }
   if (!(rim >= 0)) value.fault("has faces that cross inside the rim", "enlarge the thickness or reduce the diameter");
   return lens;
+}
+
+TorusShape TorusShape::read(const JsonValue& value) {
+  value.object({"kind", "center", "normal", "radius", "radius_tube"});
+  const TorusShape shape{value.at("center").vector(), value.at("normal").unit_vector(),
+                         value.at("radius").number(Range::positive()),
+                         value.at("radius_tube").number(Range::positive())};
+  if (value.has("radius") && value.has("radius_tube") && !(shape.radius_tube < shape.radius))
+    value.fault("has a tube that fills its ring", "write a radius_tube below the radius");
+  return shape;
+}
+
+LatheShape LatheShape::read(const JsonValue& value) {
+  value.object({"kind", "profile", "frame"});
+  LatheShape shape;
+  const JsonValue profile = value.at("profile");
+  for (const JsonValue& corner : profile.array()) {
+    const std::vector<JsonValue> place = corner.array(2);
+    if (!place.empty()) shape.profile.push_back({place[0].number(Range::not_negative()), place[1].number()});
+  }
+  shape.frame = read_frame(value.at("frame"));
+  if (const std::string fault = fault_of_outline(shape.profile); !fault.empty())
+    profile.fault(fault, "list at least three corners around an area, in order");
+  return shape;
+}
+
+std::optional<Place> LatheShape::place() const {
+  Vec3 low{0, profile[0][1], 0}, high = low;
+  for (const auto& [radius, height] : profile) {
+    high.x = std::max(high.x, radius);
+    low.y = std::min(low.y, height);
+    high.y = std::max(high.y, height);
+  }
+  return Place{frame.point_to_world({0, (low.y + high.y) / 2, 0}), std::max(high.x, high.y - low.y)};
 }
 
 MeshShape MeshShape::read(const JsonValue& value) {

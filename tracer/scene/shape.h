@@ -108,6 +108,26 @@ struct LensShape {
   void move(Vec3 by) { frame.origin += by; }
 };
 
+/// A ring torus: the points within radius_tube of a circle of `radius` about `center`, across `normal`.
+struct TorusShape {
+  Vec3 center, normal;
+  double radius = 1, radius_tube = 0.25;
+
+  static TorusShape read(const JsonValue& value);
+  std::optional<Place> place() const { return Place{center, radius + radius_tube}; }
+  void move(Vec3 by) { center += by; }
+};
+
+/// A polygon of [radius, height] turned about the y axis; straight pieces, closed from the last corner to the first.
+struct LatheShape {
+  std::vector<std::array<double, 2>> profile;
+  Frame frame;
+
+  static LatheShape read(const JsonValue& value);
+  std::optional<Place> place() const;
+  void move(Vec3 by) { frame.origin += by; }
+};
+
 /// Triangles from a PLY or OBJ file; closed and outward where the material transmits.
 struct MeshShape {
   std::string file;  // resolved against the folder of the JSON
@@ -120,7 +140,7 @@ struct MeshShape {
 };
 
 using Shape = std::variant<SphereShape, PlaneShape, RectangleShape, DiscShape, BoxShape, CylinderShape, ConeShape,
-                           PrismShape, LensShape, MeshShape>;
+                           PrismShape, LensShape, TorusShape, LatheShape, MeshShape>;
 
 /// A shape by its `kind`. A sphere stands in where the kind is at fault.
 Shape read_shape(const JsonValue& value);
