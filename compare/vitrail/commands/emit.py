@@ -50,7 +50,7 @@ def emitted(engine: EngineName, path: Path, quality: Quality, assignments: list[
             return {"scene.json": canonical_json(job.lowered(engine))}
         case EngineName.POVRAY:
             translated = job.lowered(engine)
-            certificate = canonical_json(translated.certificate.as_records())
+            certificate = canonical_json(translated.certificate.as_json())
             scenes = {name: text for run in translated.runs for name, text in run.texts.items()}
             skies = {run.sky.name: run.sky.pixels for run in translated.runs if run.sky is not None}
             return {**scenes, **skies, "certificate.json": certificate}

@@ -29,7 +29,7 @@ def explain(
         loaded = read_scene(scene)
         certificate = prepared(loaded, quality, settings).lowered(EngineName.POVRAY).certificate
     if as_json:
-        print_json({"scene": str(scene), "certificate": certificate.as_records()})
+        print_json({"scene": str(scene), "certificate": certificate.as_json()})
     else:
         _print_table(loaded.scene.title or scene.name, certificate)
 
@@ -45,7 +45,7 @@ def _print_table(title: str, certificate: Certificate) -> None:
     for entry, phenomena in _by_law(certificate).items():
         laws = (escape(entry.source_law), escape(entry.target_law))
         residual = f"{entry.residual:.2g} {entry.unit}".strip()
-        table.add_row(phenomena, escape(entry.item), *laws, escape(residual), escape(entry.reason))
+        table.add_row(phenomena, escape(str(entry.item)), *laws, escape(residual), escape(entry.reason))
     wide_console().print(table)
 
 

@@ -153,7 +153,7 @@ def _record(version: str, lowered: PovrayScene, outcomes: list[Outcome], threads
             # It counts gathers only where it shoots; where it loads photons, a ray gathers once at most.
             "gather_queries": count("gather_calls", rendered) or (count("rays", rendered) if shot else 0),
         },
-        "certificate": lowered.certificate.as_records(),
+        "certificate": lowered.certificate.as_json(),
         "isolation": list(executions[0].walls),
         "runs": [_run_record(outcome) for outcome in outcomes],
         "warnings": _warnings(outcomes),

@@ -13,6 +13,7 @@ from typing import Literal
 
 from pydantic import Field, JsonValue
 
+from vitrail.base.certificate_entry import CertificateEntry
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.base.record import Record, json_text, read_record, record_schema, write_record
 from vitrail.judge.comparison import ObservationResult, Pair, Verdict
@@ -66,18 +67,6 @@ class PlanEntry(Record):
     required: bool
     evidence: tuple[str, ...] = ()
     cost: str = ""
-
-
-class CertificateEntry(Record):
-    """One parameter's way through the translation: the law meant, the law POV-Ray has, what is left over."""
-
-    phenomenon: Phenomenon
-    item: str
-    source_law: str
-    target_law: str
-    residual: float
-    unit: str
-    reason: str
 
 
 class EngineRun(Record):

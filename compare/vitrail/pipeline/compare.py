@@ -20,7 +20,6 @@ from vitrail.pipeline.job import Job, prepare
 from vitrail.pipeline.lowered import lower
 from vitrail.pipeline.measurements import Measurements
 from vitrail.pipeline.own_defect import TRACEBACK, defective, if_own_defect, unsearched
-from vitrail.pipeline.record_parts import certificate_records
 from vitrail.pipeline.request import Request
 from vitrail.pipeline.run_both import run_both
 from vitrail.pipeline.scene_record import ended, record_of_job
@@ -62,7 +61,7 @@ def compare_scene(task: SceneTask, progress: Progress = silent) -> SceneRun:
     record = record_of_job(job, task.name, request)
     try:
         lowered = lower(job, request)
-        record = record.model_copy(update={"certificate": certificate_records(lowered.certificate)})
+        record = record.model_copy(update={"certificate": lowered.certificate.records})
         rendered = run_both(lowered, place, request, progress)
         record, images = open_images(record, rendered, stored, place)
         if record.status is not Status.JUDGED:

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from vitrail.judge.records import CertificateEntry, EngineRun, PlanEntry, Speed
-from vitrail.lower.povray.certificate.certificate import Certificate
+from vitrail.judge.records import EngineRun, PlanEntry, Speed
 from vitrail.plan.plan import Plan
 
 
@@ -15,10 +14,6 @@ def plan_records(plan: Plan) -> tuple[PlanEntry, ...]:
         PlanEntry(phenomenon=phenomenon, required=entry.required, evidence=entry.evidence, cost=entry.cost)
         for phenomenon, entry in plan.entries.items()
     )
-
-
-def certificate_records(certificate: Certificate) -> tuple[CertificateEntry, ...]:
-    return tuple(CertificateEntry(**entry) for entry in certificate.as_records())
 
 
 def engine_record(record: Mapping[str, Any]) -> EngineRun:

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from tests.lower.povray.real_povray import HALF_FLOAT, lowered, rendered, scene
+from vitrail.lower.povray.certificate.certificate import Named
 from vitrail.lower.povray.text.emitters import Grid, disc_points, rectangle_points, sphere_directions, sun_directions
 from vitrail.scene.model import Disc, Rectangle
 
@@ -159,7 +160,8 @@ def test_each_half_has_its_own_small_lights_and_the_certificate_counts_them() ->
     made = lowered(scene(GREY, CARD, lamp, SPOT_OF_CARD))
     first, second = (run.sdl for run in made.runs)
     assert first != second and first.count("light_source") == second.count("light_source") > 20
-    entry = next(each for each in made.certificate.entries if each.item == "`lamp`" and "small ones" in each.target_law)
+    lamp_of = Named("light", "lamp")
+    entry = next(each for each in made.certificate.entries if each.item == lamp_of and "small ones" in each.target_law)
     assert entry.residual == pytest.approx(1 / (2 * first.count("light_source")))
     fades = [each for each in made.certificate.entries if each.source_law == "E = I / r^2"]
-    assert [each.item for each in fades] == ["`lamp`"], "each small light loses a share of its own: no sum"
+    assert [str(each.item) for each in fades] == ["`lamp`"], "each small light loses a share of its own: no sum"

@@ -51,7 +51,7 @@ BELOW = "{min: [-1, 1.2, -1], max: [0, 1.3, 1]}"
 def colour_entry(text: str) -> float:
     made = lowered(text, photons=30_000)
     return sum(
-        each.residual for each in made.certificate.of(Phenomenon.COLOURED_TRANSMISSION) if each.item == "photons"
+        each.residual for each in made.certificate.of(Phenomenon.COLOURED_TRANSMISSION) if str(each.item) == "photons"
     )
 
 

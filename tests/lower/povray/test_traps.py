@@ -199,7 +199,7 @@ def test_a_ball_on_a_table_stands_a_hair_above_it() -> None:
     - {name: ball, sphere: {center: [0, 0.5, 0], radius: 0.5}, material: glass}
     """
     made = lowered(scene("panel: {emission: 1}\nglass: {transmission: 0.5, ior: 1.5}", objects, lights=""))
-    (gap,) = [entry for entry in made.certificate.entries if entry.item == "`ball`" and "gap" in entry.target_law]
+    (gap,) = [entry for entry in made.certificate.entries if str(entry.item) == "`ball`" and "gap" in entry.target_law]
     assert 0 < gap.residual < 1e-2
 
 

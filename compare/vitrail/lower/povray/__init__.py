@@ -1,5 +1,12 @@
 """Back end for POV-Ray 3.7: scene text, runs, and a certificate of what POV-Ray does differently.
 
+A scene goes through five rooms. ``refusals`` turns away what POV-Ray cannot do, with the line that asks for it.
+``bodies`` brings what is left to units that POV-Ray resolves, opens gaps, joins contacts and cuts what is nested.
+``photons`` chooses how deep to trace, where to aim photons, how densely, and at which brightness they are stored
+exactly. All this is one value, the ``Translation``. From it ``text`` builds a tree of POV-Ray's language for every run
+and prints it once, and ``certificate`` states every law that POV-Ray follows differently, with its size. ``lower.py``
+walks through them: begin there.
+
 [P n] refers to the measurements of POV-Ray 3.7.0.10 listed in ``docs/sources.md``.
 """
 

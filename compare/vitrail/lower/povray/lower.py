@@ -10,41 +10,24 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
-from pathlib import Path
 
-from vitrail.base.phenomenon import Phenomenon
 from vitrail.geometry.world import World
-from vitrail.lower.povray.bodies.contact import with_contacts
-from vitrail.lower.povray.bodies.gaps import with_gaps
-from vitrail.lower.povray.bodies.meshes import refuse_unreadable_meshes
-from vitrail.lower.povray.bodies.nesting import nesting_of
-from vitrail.lower.povray.bodies.normalise import Normalisation, normalise
+from vitrail.lower.povray.bodies.normalise import Normalisation
 from vitrail.lower.povray.certificate.certificate import Certificate
-from vitrail.lower.povray.certificate.residuals import Translation, certificate_of
-from vitrail.lower.povray.photons.depth import trace_depth
+from vitrail.lower.povray.certificate.residuals import certificate_of
 from vitrail.lower.povray.photons.light_factor import light_factor
-from vitrail.lower.povray.photons.off_centre import off_centre
-from vitrail.lower.povray.photons.photons import PhotonPass, photon_pass, photon_targets
-from vitrail.lower.povray.refusals.refusal import Refusals
-from vitrail.lower.povray.refusals.support import refuse_unsupported
+from vitrail.lower.povray.photons.photons import PhotonPass
 from vitrail.lower.povray.text.camera import HALF_SHIFTS
-from vitrail.lower.povray.text.emitters import Grid
-from vitrail.lower.povray.text.exposure import Triplet
-from vitrail.lower.povray.text.indices import Indices
-from vitrail.lower.povray.text.lights import sources
-from vitrail.lower.povray.text.modes import Mode, mode_of
-from vitrail.lower.povray.text.objects import ObjectText
+from vitrail.lower.povray.text.exposure import Exposure, Triplet
+from vitrail.lower.povray.text.modes import Mode
 from vitrail.lower.povray.text.printer import printed
 from vitrail.lower.povray.text.scene_text import SceneText
 from vitrail.lower.povray.text.sdl import SdlFile
-from vitrail.lower.povray.text.sky import SkyPicture, skies_of
+from vitrail.lower.povray.text.sky import SkyPicture
+from vitrail.lower.povray.translation import Translation, translate
 from vitrail.plan.plan import Plan
-from vitrail.plan.reduced import reduced
-from vitrail.plan.settings import Quality, Settings
+from vitrail.plan.settings import Settings
 from vitrail.scene.print import scene_hash
-
-EMITTERS: dict[Quality, int] = {Quality.DRAFT: 12, Quality.NORMAL: 24, Quality.REFERENCE: 96}
-"""Small lights that stand for one with a surface or a solid angle, in each half image."""
 
 
 @dataclass(frozen=True)
@@ -103,78 +86,45 @@ class PovrayScene:
 
 def lower_povray(world: World, plan: Plan, settings: Settings) -> PovrayScene:
     """The runs and the certificate. Raises NotTranslatable with the lines of the scene's file."""
-    refusals, identity = Refusals(world.loaded), scene_hash(world.scene)
-    world = world.with_scene(reduced(world.scene, plan))
-    refuse_unsupported(world, plan, refusals)
-    refuse_unreadable_meshes(world, refusals)
-    skies = skies_of(world.scene, world.folder or Path(), refusals)
-    radius = settings.gather_radius_m if plan.requires(Phenomenon.CAUSTIC) else 0.0
-    units = normalise(world, refusals, radius)
-    joined = with_contacts(world, units)
-    world, scene = joined.world, joined.world.scene
-    mode = mode_of(scene, plan, settings, skies)
-    indices = Indices(scene, mode.bands, mode.is_sliced)
-    grid = Grid(EMITTERS[settings.quality], settings.seed)
-    targets = photon_targets(world, plan, units, refusals)
-    lights = {
-        half: off_centre(sources(world, units, replace(grid, is_mirrored=other), skies, refusals), targets, other)
-        for half, other in (("a", False), ("b", True))
-    }
-    photons = photon_pass(plan, settings, lights["a"], len(mode.bands), targets, units, refusals)
-    depth, placement = trace_depth(plan, settings.quality), with_gaps(world, units, joined.contacts)
-    nesting = nesting_of(world, units, joined.pairs)
-    objects = ObjectText(world, plan, units, photons is not None, indices, nesting, joined.under)
-    text = SceneText(world, plan, units, lights, skies, photons, depth, placement, objects, settings.quality)
-    translation = Translation(
-        world=world,
-        plan=plan,
-        mode=mode,
-        units=units,
-        lights=lights["a"],
-        skies=skies,
-        photons=photons,
-        depth=depth,
-        shrunk=placement.shrunk,
-        grown=joined.grown,
-        indices=indices,
-        nesting=nesting,
-        quality=settings.quality,
-    )
+    translation = translate(world, plan, settings)
+    image = translation.scene.image
     return PovrayScene(
-        title=scene.title,
-        scene_hash=identity,
-        width=scene.image.width,
-        height=scene.image.height,
-        runs=tuple(_runs(text, mode, settings)),
+        title=translation.scene.title,
+        scene_hash=scene_hash(world.scene),
+        width=image.width,
+        height=image.height,
+        runs=tuple(_runs(translation)),
         certificate=certificate_of(translation),
-        normalisation=units,
+        normalisation=translation.units,
         settings=settings,
-        mode=mode,
-        photons=photons,
+        mode=translation.mode,
+        photons=translation.photons,
     )
 
 
-def _runs(text: SceneText, mode: Mode, settings: Settings) -> Iterator[PovrayRun]:
-    """One run a half and exposure."""
-    across = math.ceil(math.sqrt(settings.samples))
-    image = text.scene.image
+def _runs(translation: Translation) -> Iterator[PovrayRun]:
+    """One run for each half image and exposure."""
     for half in HALF_SHIFTS:
-        for shown in mode.exposures:
+        for shown in translation.mode.exposures:
             plain = replace(shown, half=half)
-            factor = light_factor(text.scene, text.lights[half], text.skies, text.photons, plain)
-            exposure = replace(plain, light_factor=factor)
-            shoots = text.photons is not None and text.has_light(half, exposure)
-            sky = text.sky_picture(exposure)
-            yield PovrayRun(
-                name="_".join(part for part in (half, exposure.name) if part),
-                half=half,
-                scene=text.sdl(half, exposure, across, "load_file" if shoots else "", sky),
-                photon_scene=text.sdl(half, exposure, across, "save_file", sky) if shoots else None,
-                width=image.width * across,
-                height=image.height * across,
-                samples_across=across,
-                gain=exposure.gain,
-                max_trace_level=text.depth.level,
-                depth_is_proven=text.depth.is_proven,
-                sky=sky,
-            )
+            yield _run(SceneText(translation), replace(plain, light_factor=light_factor(translation, plain)))
+
+
+def _run(text: SceneText, exposure: Exposure) -> PovrayRun:
+    translation, half = text.translation, exposure.half
+    across, depth = math.ceil(math.sqrt(translation.settings.samples)), translation.depth
+    shoots = translation.photons is not None and text.has_light(exposure)
+    sky = text.sky_picture(exposure)
+    return PovrayRun(
+        name="_".join(part for part in (half, exposure.name) if part),
+        half=half,
+        scene=text.sdl(exposure, across, "load_file" if shoots else "", sky),
+        photon_scene=text.sdl(exposure, across, "save_file", sky) if shoots else None,
+        width=translation.scene.image.width * across,
+        height=translation.scene.image.height * across,
+        samples_across=across,
+        gain=exposure.gain,
+        max_trace_level=depth.level,
+        depth_is_proven=depth.is_proven,
+        sky=sky,
+    )

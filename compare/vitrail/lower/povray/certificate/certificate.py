@@ -7,20 +7,57 @@ several materials do not add up: squares of widths do, so the whole is off by no
 
 from __future__ import annotations
 
-import re
-from dataclasses import asdict, dataclass, replace
-from typing import Any
+from dataclasses import dataclass, replace
+from typing import Literal
 
+from vitrail.base.certificate_entry import CertificateEntry
 from vitrail.base.phenomenon import Phenomenon
+from vitrail.base.record import JsonObject
 from vitrail.scene.model import Scene
 
 RELATIVE = "relative"
-IMAGE = "image"
+IMAGE: Literal["image"] = "image"
 """The item of an entry about the image as it is written: it acts on all light that the image holds."""
 HALF_FLOAT = 4.9e-4
 """Largest relative rounding of an 11-bit mantissa: half a step at its low end [P 6]."""
-IDENTIFIER = re.compile(r"\b([OML])(\d+)\b")
-"""What an object, a material or a light is called in the SDL: its kind and its number from 1."""
+
+
+@dataclass(frozen=True)
+class Named:
+    """A part of the scene, by the name that its author gave."""
+
+    kind: Literal["object", "material", "light"]
+    name: str
+
+    def __str__(self) -> str:
+        return f"`{self.name}`"
+
+
+@dataclass(frozen=True)
+class CutBy:
+    """A solid and the one of higher priority that takes room from it."""
+
+    lower: Named
+    higher: Named
+
+    def __str__(self) -> str:
+        return f"{self.lower} cut by {self.higher}"
+
+
+Item = Named | CutBy | Literal["image", "scene", "path", "photons", "kernel", "radiosity"]
+"""What an entry is about: a part of the scene, or something that all of it shares."""
+
+
+def the_object(scene: Scene, index: int) -> Named:
+    return Named("object", scene.objects[index].name)
+
+
+def the_light(scene: Scene, index: int) -> Named:
+    return Named("light", scene.lights[index].name)
+
+
+def the_material(name: str) -> Named:
+    return Named("material", name)
 
 
 @dataclass(frozen=True)
@@ -28,12 +65,25 @@ class Entry:
     """One law of the scene and the law that stands for it in POV-Ray."""
 
     phenomenon: Phenomenon
-    item: str
+    item: Item
     source_law: str
     target_law: str
     residual: float
     unit: str
     reason: str
+
+    @property
+    def record(self) -> CertificateEntry:
+        """The entry as it is written, its item by name."""
+        return CertificateEntry(
+            phenomenon=self.phenomenon,
+            item=str(self.item),
+            source_law=self.source_law,
+            target_law=self.target_law,
+            residual=self.residual,
+            unit=self.unit,
+            reason=self.reason,
+        )
 
 
 @dataclass(frozen=True)
@@ -63,20 +113,11 @@ class Certificate:
     def of(self, phenomenon: Phenomenon) -> tuple[Entry, ...]:
         return tuple(each for each in self.entries if each.phenomenon is phenomenon)
 
-    def as_records(self) -> list[dict[str, Any]]:
-        """Plain values for a report or a run record."""
-        return [{**asdict(each), "phenomenon": each.phenomenon.value} for each in self.entries]
+    @property
+    def records(self) -> tuple[CertificateEntry, ...]:
+        """The entries for a file, a report or a run record."""
+        return tuple(each.record for each in self.entries)
 
-
-def with_names(entries: tuple[Entry, ...], scene: Scene) -> Certificate:
-    """The certificate, each item and reason in the names its reader gave: `ball` for O2."""
-    names = {
-        "O": [item.name for item in scene.objects],
-        "M": list(scene.materials),
-        "L": [light.name for light in scene.lights],
-    }
-
-    def told(text: str) -> str:
-        return IDENTIFIER.sub(lambda found: f"`{names[found[1]][int(found[2]) - 1]}`", text)
-
-    return Certificate(tuple(replace(each, item=told(each.item), reason=told(each.reason)) for each in entries))
+    def as_json(self) -> list[JsonObject]:
+        """The records as plain values."""
+        return [record.model_dump(mode="json") for record in self.records]

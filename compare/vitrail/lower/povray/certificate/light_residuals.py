@@ -5,26 +5,27 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from vitrail.base.phenomenon import Phenomenon
-from vitrail.lower.povray.certificate.certificate import HALF_FLOAT, RELATIVE, Entry
+from vitrail.lower.povray.certificate.certificate import HALF_FLOAT, RELATIVE, Entry, the_light
 from vitrail.lower.povray.text.lights import FADE_SHARE, Source
 from vitrail.lower.povray.text.sky import Skies
-from vitrail.plan.plan import Plan
+from vitrail.lower.povray.translation import Translation
 from vitrail.scene.model import Scene
 
 
-def light_entries(scene: Scene, plan: Plan, lights: Sequence[Source], skies: Skies) -> Iterator[Entry]:
+def light_entries(translation: Translation) -> Iterator[Entry]:
     """Falloff, grids of small lights, and the image of a sky."""
-    yield from _falloff(lights)
+    scene, skies, lights = translation.scene, translation.lighting.skies, translation.lighting.halves["a"]
+    yield from _falloff(scene, lights)
     yield from _grids(scene, lights, skies)
-    yield from _pixels(plan, skies)
+    yield from _pixels(translation, skies)
 
 
-def _falloff(lights: Sequence[Source]) -> Iterator[Entry]:
+def _falloff(scene: Scene, lights: Sequence[Source]) -> Iterator[Entry]:
     """Each small light of a grid loses the same share of its own light: one entry a light of the scene."""
     for index in sorted({source.light for source in lights if source.fade_distance is not None}):
         yield Entry(
             Phenomenon.DIFFUSION,
-            f"L{index + 1}",
+            the_light(scene, index),
             "E = I / r^2",
             "E = I / (r^2 + f^2)",
             FADE_SHARE**2,
@@ -41,7 +42,7 @@ def _grids(scene: Scene, lights: Sequence[Source], skies: Skies) -> Iterator[Ent
             measure = "power" if index in skies else "size"
             yield Entry(
                 Phenomenon.SHADOW,
-                f"L{index + 1}",
+                the_light(scene, index),
                 f"one {light.emitter.key} light",
                 f"{count} small ones in each half image, at random in cells of equal {measure}",
                 1 / (2 * count),
@@ -50,11 +51,12 @@ def _grids(scene: Scene, lights: Sequence[Source], skies: Skies) -> Iterator[Ent
             )
 
 
-def _pixels(plan: Plan, skies: Skies) -> Iterator[Entry]:
+def _pixels(translation: Translation, skies: Skies) -> Iterator[Entry]:
     """The image of the sky as mirrors and glass show it; which pixel a direction meets is the same."""
     for index in skies:
+        light = the_light(translation.scene, index)
         for phenomenon in (Phenomenon.REFLECTION, Phenomenon.REFRACTION):
-            if plan.requires(phenomenon):
+            if translation.plan.requires(phenomenon):
                 reason = "POV-Ray reads images with 11 bits a channel, and takes the nearest pixel as the tracer does"
                 law = "pixels of half floats"
-                yield Entry(phenomenon, f"L{index + 1}", "pixels as they are", law, HALF_FLOAT, RELATIVE, reason)
+                yield Entry(phenomenon, light, "pixels as they are", law, HALF_FLOAT, RELATIVE, reason)

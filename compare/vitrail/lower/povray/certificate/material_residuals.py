@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from vitrail.base.phenomenon import Phenomenon
-from vitrail.lower.povray.certificate.certificate import RELATIVE, Entry
+from vitrail.lower.povray.certificate.certificate import RELATIVE, Entry, Named, the_material
 from vitrail.lower.povray.text.exposure import Exposure, Triplet
 from vitrail.lower.povray.text.indices import Indices
 from vitrail.lower.povray.text.modes import Mode
@@ -32,15 +32,15 @@ Measured: 0.2 % of the blur at alpha 0.05 (2.8 % by its interval), 6.2 % at 0.2 
 
 
 def material_entries(scene: Scene, mode: Mode, indices: Indices) -> Iterator[Entry]:
-    """Shares, dispersion and roughness, material by material (M1 is the first of the scene)."""
-    for number, material in enumerate(scene.materials.values(), 1):
+    """Shares, dispersion and roughness, material by material."""
+    for name, material in scene.materials.items():
         if not material.is_specular:
             continue
         if mode.shows_all_channels:
-            yield from _pool(f"M{number}", material)
+            yield from _pool(the_material(name), material)
         if len(mode.bands) > 1:
-            yield from _dispersion(f"M{number}", material, mode, indices)
-        yield from _roughness(f"M{number}", material)
+            yield from _dispersion(the_material(name), material, mode, indices)
+        yield from _roughness(the_material(name), material)
 
 
 def mirror_share(material: Material) -> float:
@@ -65,7 +65,7 @@ def trapped_share(material: Material) -> float:
     return max(specular_pool(material, Exposure()) if bends else material.transmission)
 
 
-def _pool(item: str, material: Material) -> Iterator[Entry]:
+def _pool(item: Named, material: Material) -> Iterator[Entry]:
     """Glass whose channels differ, in a run that shows all of them: total reflection and Fresnel miss s."""
     pool = specular_pool(material, Exposure())
     if not material.is_transmissive or is_grey(pool):
@@ -73,7 +73,7 @@ def _pool(item: str, material: Material) -> Iterator[Entry]:
     yield from _coloured_pool(item, material, pool)
 
 
-def _coloured_pool(item: str, material: Material, pool: Triplet) -> Iterator[Entry]:
+def _coloured_pool(item: Named, material: Material, pool: Triplet) -> Iterator[Entry]:
     least = min(pool)
     yield Entry(
         Phenomenon.TOTAL_INTERNAL_REFLECTION,
@@ -97,7 +97,7 @@ def _coloured_pool(item: str, material: Material, pool: Triplet) -> Iterator[Ent
         )
 
 
-def _dispersion(item: str, material: Material, mode: Mode, indices: Indices) -> Iterator[Entry]:
+def _dispersion(item: Named, material: Material, mode: Mode, indices: Indices) -> Iterator[Entry]:
     """Slices have no error; the native law has that of its fit, and its own colours."""
     if not material.is_dispersive or not material.is_transmissive:
         return
@@ -132,7 +132,7 @@ def _other_hues(bands: Sequence[Band]) -> float:
     )
 
 
-def _roughness(item: str, material: Material) -> Iterator[Entry]:
+def _roughness(item: Named, material: Material) -> Iterator[Entry]:
     """Lobes of equal width, made of turned normals."""
     roughness = material.roughness
     if roughness == 0:

@@ -2,20 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 
 from vitrail.base.phenomenon import Phenomenon
-from vitrail.geometry.world import World
 from vitrail.lower.povray.bodies.curvature import curved_receivers, lost_share
 from vitrail.lower.povray.bodies.normalise import Normalisation
 from vitrail.lower.povray.bodies.panes import is_one_pane_deep
-from vitrail.lower.povray.certificate.certificate import RELATIVE, Entry
-from vitrail.lower.povray.photons.photons import PhotonPass, has_exact_flux
+from vitrail.lower.povray.certificate.certificate import RELATIVE, Entry, the_light, the_material, the_object
+from vitrail.lower.povray.photons.photons import Shooting, has_exact_flux
 from vitrail.lower.povray.photons.stored_flux import ONE_STEP, largest_loss
-from vitrail.lower.povray.text.lights import Source
 from vitrail.lower.povray.text.modes import Mode, light_colours
 from vitrail.lower.povray.text.sky import Skies
 from vitrail.lower.povray.text.surface import is_grey
+from vitrail.lower.povray.translation import Translation
 from vitrail.scene.model import Ggx, Scene
 
 ROUGH_CAUSTIC = 0.45
@@ -27,15 +26,14 @@ GRAZING_DEG = 84.3
 """Beyond this angle POV-Ray weighs photons by ten instead of 1 / cos [P 2.3]."""
 
 
-def photon_entries(
-    world: World, mode: Mode, units: Normalisation, lights: Sequence[Source], skies: Skies, photons: PhotonPass | None
-) -> Iterator[Entry]:
+def photon_entries(translation: Translation) -> Iterator[Entry]:
     """Storage, kernel and incidence; nothing without photons."""
-    if photons is None:
+    shooting = translation.shooting("a")
+    if shooting is None:
         return
-    scene, caustic = world.scene, Phenomenon.CAUSTIC
-    yield from _stored(world, mode, lights, photons)
-    if mode.shows_all_channels and (ratio := _channel_ratio(scene, skies)) > 1:
+    scene, units, caustic = translation.scene, translation.units, Phenomenon.CAUSTIC
+    yield from _stored(shooting, translation.mode)
+    if translation.mode.shows_all_channels and (ratio := _channel_ratio(scene, translation.lighting.skies)) > 1:
         reason = "channels share one exponent; the dimmest is rounded down by up to a step of the brightest"
         yield Entry(caustic, "photons", "each channel apart", "one exponent", min(1.0, ratio / 128), RELATIVE, reason)
     yield Entry(
@@ -43,13 +41,13 @@ def photon_entries(
         "kernel",
         "irradiance at a point",
         "mean over a disc, the same in both engines",
-        photons.gather_radius / units.scale,
+        shooting.photons.gather_radius / units.scale,
         "m",
         "the estimate blurs by the gather radius; between the engines the blur is the same",
     )
     yield from _rough_glass(scene)
-    yield from _curved_receivers(world, units, photons)
-    yield from _moved_lamps(units, lights)
+    yield from _curved_receivers(shooting, units)
+    yield from _moved_lamps(shooting, units)
     yield Entry(
         caustic,
         "kernel",
@@ -61,29 +59,28 @@ def photon_entries(
     )
 
 
-def _stored(world: World, mode: Mode, lights: Sequence[Source], photons: PhotonPass) -> Iterator[Entry]:
+def _stored(shooting: Shooting, mode: Mode) -> Iterator[Entry]:
     """What 8 bits cut off: off all caustics, and off colour that light throws through glass."""
-    item, meant, kept = "photons", "flux in double precision", "8 bits, truncated"
-    if has_exact_flux(world, lights, photons):
+    meant, kept = "flux in double precision", "8 bits, truncated"
+    if has_exact_flux(shooting):
         reason = "the light factor makes the main path's flux exact"
-        yield Entry(Phenomenon.CAUSTIC, item, meant, kept, 0.0, RELATIVE, reason)
+        yield Entry(Phenomenon.CAUSTIC, "photons", meant, kept, 0.0, RELATIVE, reason)
         return
     reason = "fluxes vary, up to one step is lost"
-    yield Entry(Phenomenon.CAUSTIC, item, meant, kept, ONE_STEP, RELATIVE, reason)
-    scene = world.scene
-    glasses = [scene.material_of(item) for item in scene.objects if scene.material_of(item).is_transmissive]
+    yield Entry(Phenomenon.CAUSTIC, "photons", meant, kept, ONE_STEP, RELATIVE, reason)
+    glasses = [material for material in shooting.specular if material.is_transmissive]
     if all(is_grey(glass.transmission) for glass in glasses):
         return
     loss, words = ONE_STEP, "up to one step of what glass lets through is lost"
-    if is_one_pane_deep(world, lights):
-        loss = largest_loss(scene, lights, photons, mode.exposures)
+    if is_one_pane_deep(shooting.world, shooting.lights):
+        loss = largest_loss(shooting, mode.exposures)
         words = "the light factor leaves all tints just above a step; light meets one pane of them alone"
-    yield Entry(Phenomenon.COLOURED_TRANSMISSION, item, meant, kept, loss, RELATIVE, words)
+    yield Entry(Phenomenon.COLOURED_TRANSMISSION, "photons", meant, kept, loss, RELATIVE, words)
 
 
 def _rough_glass(scene: Scene) -> Iterator[Entry]:
     """Bumps turn slanted light farther than light that meets a face straight; equation 8 turns both alike."""
-    for number, material in enumerate(scene.materials.values(), 1):
+    for name, material in scene.materials.items():
         roughness = material.roughness
         if not material.is_specular or not roughness:
             continue
@@ -91,7 +88,7 @@ def _rough_glass(scene: Scene) -> Iterator[Entry]:
         share = GGX_CAUSTIC * roughness.ggx if isinstance(roughness, Ggx) else ROUGH_CAUSTIC * roughness
         yield Entry(
             Phenomenon.CAUSTIC,
-            f"M{number}",
+            the_material(name),
             "GGX at every incidence" if is_ggx else "a lobe of one width at every incidence",
             "bumps, whose lobe is wider for slanted light",
             share,
@@ -100,25 +97,26 @@ def _rough_glass(scene: Scene) -> Iterator[Entry]:
         )
 
 
-def _curved_receivers(world: World, units: Normalisation, photons: PhotonPass) -> Iterator[Entry]:
-    for index, radius_m in curved_receivers(world):
+def _curved_receivers(shooting: Shooting, units: Normalisation) -> Iterator[Entry]:
+    for index, radius_m in curved_receivers(shooting.world):
         yield Entry(
             Phenomenon.CAUSTIC,
-            f"O{index + 1}",
+            the_object(shooting.world.scene, index),
             "a flat disc on a curved surface",
             "photons off the tangent plane count as farther away",
-            lost_share(photons.gather_radius, units.length(radius_m)),
+            lost_share(shooting.photons.gather_radius, units.length(radius_m)),
             RELATIVE,
             "POV-Ray stretches distances along the normal, by an absolute factor; a smaller gather radius lowers this",
         )
 
 
-def _moved_lamps(units: Normalisation, lights: Sequence[Source]) -> Iterator[Entry]:
+def _moved_lamps(shooting: Shooting, units: Normalisation) -> Iterator[Entry]:
+    lights = shooting.lights
     for index in sorted({source.light for source in lights if source.aside > 0}):
         aside = max(source.aside for source in lights if source.light == index) / units.scale
         yield Entry(
             Phenomenon.CAUSTIC,
-            f"L{index + 1}",
+            the_light(shooting.world.scene, index),
             "a lamp in the middle of glass",
             f"a lamp {aside:.3g} m beside it, on the other side in the second half image",
             aside,

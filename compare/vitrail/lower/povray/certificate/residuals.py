@@ -3,61 +3,36 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.base.vector import length
-from vitrail.geometry.world import World
 from vitrail.lower.povray.bodies.contact import REACH, Grown
 from vitrail.lower.povray.bodies.gaps import Shrunk
-from vitrail.lower.povray.bodies.nesting import HAIR, Nesting
-from vitrail.lower.povray.bodies.normalise import Normalisation
-from vitrail.lower.povray.certificate.certificate import HALF_FLOAT, IMAGE, RELATIVE, Certificate, Entry, with_names
+from vitrail.lower.povray.bodies.nesting import HAIR
+from vitrail.lower.povray.certificate.certificate import (
+    HALF_FLOAT,
+    IMAGE,
+    RELATIVE,
+    Certificate,
+    CutBy,
+    Entry,
+    the_object,
+)
 from vitrail.lower.povray.certificate.light_residuals import light_entries
 from vitrail.lower.povray.certificate.material_residuals import longest_lived_share, material_entries, trapped_share
 from vitrail.lower.povray.certificate.photon_residuals import photon_entries
 from vitrail.lower.povray.photons.depth import LIMIT, TraceDepth
-from vitrail.lower.povray.photons.photons import PhotonPass
 from vitrail.lower.povray.photons.radiosity import radiosity_entries
-from vitrail.lower.povray.text.indices import Indices
-from vitrail.lower.povray.text.lights import Source
-from vitrail.lower.povray.text.modes import Mode
-from vitrail.lower.povray.text.sky import Skies
-from vitrail.plan.plan import Plan
-from vitrail.plan.settings import Quality
+from vitrail.lower.povray.translation import Translation
 from vitrail.scene.absorption import absorption_per_m
-from vitrail.scene.model import Scene
 
 IN_AND_OUT = 2
 """Transmissions of a path through a lone ball: so far POV-Ray's counter cuts reflections where the scene does."""
 
 
-@dataclass(frozen=True)
-class Translation:
-    """Everything that decides how exact a translation is."""
-
-    world: World
-    plan: Plan
-    mode: Mode
-    units: Normalisation
-    lights: tuple[Source, ...]
-    skies: Skies
-    photons: PhotonPass | None
-    depth: TraceDepth
-    shrunk: tuple[Shrunk, ...]
-    grown: tuple[Grown, ...]
-    indices: Indices
-    nesting: Nesting
-    quality: Quality
-
-    @property
-    def scene(self) -> Scene:
-        return self.world.scene
-
-
 def certificate_of(translation: Translation) -> Certificate:
     """Everything that differs, most general first, in the names of the scene."""
-    return with_names(
+    return Certificate(
         (
             *_output(translation),
             *_position(translation),
@@ -65,19 +40,11 @@ def certificate_of(translation: Translation) -> Certificate:
             *_contacts(translation),
             *_cuts(translation),
             *_depth(translation),
-            *light_entries(translation.scene, translation.plan, translation.lights, translation.skies),
+            *light_entries(translation),
             *_indirect(translation),
             *material_entries(translation.scene, translation.mode, translation.indices),
-            *photon_entries(
-                translation.world,
-                translation.mode,
-                translation.units,
-                translation.lights,
-                translation.skies,
-                translation.photons,
-            ),
-        ),
-        translation.scene,
+            *photon_entries(translation),
+        )
     )
 
 
@@ -106,10 +73,10 @@ def _position(translation: Translation) -> Iterator[Entry]:
 
 
 def _gaps(translation: Translation) -> Iterator[Entry]:
-    for shrunk in translation.shrunk:
+    for shrunk in translation.bodies.placement.shrunk:
         yield Entry(
             Phenomenon.REFRACTION,
-            f"O{shrunk.index + 1}",
+            the_object(translation.scene, shrunk.index),
             "touching surfaces",
             f"a gap of {shrunk.depth_m:.3g} m",
             shrunk.share,
@@ -120,10 +87,10 @@ def _gaps(translation: Translation) -> Iterator[Entry]:
 
 
 def _contacts(translation: Translation) -> Iterator[Entry]:
-    for grown in translation.grown:
+    for grown in translation.bodies.joined.grown:
         yield Entry(
             Phenomenon.REFRACTION,
-            f"O{grown.index + 1}",
+            the_object(translation.scene, grown.index),
             "a face that lies on another body",
             f"a solid larger by {grown.depth_m:.3g} m, which reaches into the other",
             grown.share,
@@ -140,7 +107,7 @@ def _other_way(translation: Translation, changed: Shrunk | Grown) -> Iterator[En
     if absorption > 0 and translation.plan.requires(Phenomenon.ABSORPTION):
         yield Entry(
             Phenomenon.ABSORPTION,
-            f"O{changed.index + 1}",
+            the_object(scene, changed.index),
             "the way through the solid as written",
             f"longer or shorter by {2 * changed.depth_m:.3g} m",
             2 * changed.depth_m * absorption,
@@ -152,12 +119,12 @@ def _other_way(translation: Translation, changed: Shrunk | Grown) -> Iterator[En
 def _cuts(translation: Translation) -> Iterator[Entry]:
     """Lower solids cut by higher ones; air is cut out exactly."""
     hair = HAIR / translation.units.scale
-    for index, cuts in enumerate(translation.nesting.cuts):
+    for index, cuts in enumerate(translation.bodies.nesting.cuts):
         for cut in cuts:
             if not cut.is_air:
                 yield Entry(
                     Phenomenon.REFRACTION,
-                    f"O{index + 1} cut by O{cut.by + 1}",
+                    CutBy(the_object(translation.scene, index), the_object(translation.scene, cut.by)),
                     "one face where the higher priority begins",
                     f"two, {hair:.3g} m apart",
                     hair,
@@ -221,4 +188,4 @@ def _too_deep(depth: TraceDepth, shown: Phenomenon) -> Entry:
 
 def _indirect(translation: Translation) -> Iterator[Entry]:
     if translation.scene.transport.indirect == "photons":
-        yield from radiosity_entries(translation.scene, translation.quality)
+        yield from radiosity_entries(translation.scene, translation.settings.quality)

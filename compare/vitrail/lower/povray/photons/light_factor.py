@@ -12,7 +12,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from vitrail.lower.povray.photons.photons import FLUX_LIMIT, PhotonPass, photon_flux
+from vitrail.lower.povray.photons.photons import FLUX_LIMIT, photon_flux
 from vitrail.lower.povray.photons.stored_flux import (
     ABOVE_THE_STEP,
     MOST_FLUXES,
@@ -22,8 +22,9 @@ from vitrail.lower.povray.photons.stored_flux import (
 )
 from vitrail.lower.povray.text.exposure import Exposure, Triplet
 from vitrail.lower.povray.text.lights import Source
-from vitrail.lower.povray.text.sky import BRIGHTEST, Skies
-from vitrail.scene.model import Checker, Material, Scene
+from vitrail.lower.povray.text.sky import BRIGHTEST
+from vitrail.lower.povray.translation import Translation
+from vitrail.scene.model import Checker, Material
 
 HEADROOM = 64.0
 """How far above 1 the brightest light lies without photons: half floats keep 11 bits from 6e-5 to 65504, not below."""
@@ -31,32 +32,32 @@ MANTISSA = (STEPS - 1) / STEPS
 """The largest mantissa of 8 bits; 180 / 256, that of the second half, divides by the same step."""
 
 
-def light_factor(
-    scene: Scene, lights: Sequence[Source], skies: Skies, photons: PhotonPass | None, exposure: Exposure
-) -> float:
+def light_factor(translation: Translation, exposure: Exposure) -> float:
     """The factor for one run; no pixel of a sky times it is brighter than half floats hold.
 
     ``exposure.half`` is the half image whose photons it is for.
     """
-    pixel = max((max(exposure.share(sky.peak)) for sky in skies.values()), default=0.0)
+    scene, shooting = translation.scene, translation.shooting(exposure.half)
+    lights = translation.lighting.halves[exposure.half]
+    pixel = max((max(exposure.share(sky.peak)) for sky in translation.lighting.skies.values()), default=0.0)
     brightest = max((max(exposure.share(source.strength)) * _nearness(source) for source in lights), default=0.0)
     glow = max((max(exposure.share(_peak(m))) for m in scene.materials.values() if m.emission is not None), default=0.0)
     peak = max(brightest, glow)
     if peak == 0:
         return 1.0
     factor = 2.0 ** round(-math.log2(peak))
-    if photons is None or brightest == 0:
+    if shooting is None or brightest == 0:
         factor *= HEADROOM
         while factor * pixel > BRIGHTEST:
             factor /= 2
         return factor
     main = max(
-        photon_flux(source, ball, photons.spacing["a"], max(exposure.share(source.strength)))
+        photon_flux(source, ball, shooting.photons.spacing["a"], max(exposure.share(source.strength)))
         for source in lights
-        for ball in photons.targets
+        for ball in shooting.photons.targets
     )
     # Choose the power of two that changes the factor least and keeps the largest flux below the limit.
-    exact = _exact_factor(fluxes_to_keep(scene, lights, photons, exposure), main, factor)
+    exact = _exact_factor(fluxes_to_keep(shooting, exposure), main, factor)
     while main * exact > FLUX_LIMIT or pixel * exact > BRIGHTEST:
         exact /= 2
     return exact

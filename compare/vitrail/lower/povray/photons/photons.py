@@ -16,17 +16,15 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from vitrail.base.phenomenon import Phenomenon
 from vitrail.base.vector import Vec, length, subtract
 from vitrail.geometry.world import World
+from vitrail.lower.povray.asked import Asked
 from vitrail.lower.povray.bodies.immersion import index_around
 from vitrail.lower.povray.bodies.meshes import room_of
 from vitrail.lower.povray.bodies.normalise import Normalisation
-from vitrail.lower.povray.refusals.refusal import NotTranslatable, Refusals
+from vitrail.lower.povray.refusals.refusal import NotTranslatable
 from vitrail.lower.povray.text.lights import Source
 from vitrail.lower.povray.text.sdl import Block, Quoted, block, listed, statement
-from vitrail.plan.plan import Plan
-from vitrail.plan.settings import Settings
 from vitrail.scene.model import Material
 
 FLUX_LIMIT = 16.0
@@ -74,21 +72,31 @@ class PhotonPass:
         )
 
 
+@dataclass(frozen=True)
+class Shooting:
+    """The lights of one half image and the photons that they shoot at the specular objects of a scene."""
+
+    world: World
+    lights: Sequence[Source]
+    photons: PhotonPass
+
+    @property
+    def specular(self) -> list[Material]:
+        """The material of each target."""
+        return [material for material in _materials(self.world) if material.is_specular]
+
+
 def photon_pass(
-    plan: Plan,
-    settings: Settings,
-    lights: Sequence[Source],
-    bands: int,
-    balls: tuple[Ball, ...],
-    units: Normalisation,
-    refusals: Refusals,
+    asked: Asked, lights: Sequence[Source], balls: tuple[Ball, ...], units: Normalisation, bands: int
 ) -> PhotonPass | None:
     """The photon pass of a scene, or None when the plan has no caustic. All bands of light share the photons."""
-    if not plan.requires(Phenomenon.CAUSTIC):
+    if not asked.has_caustic:
         return None
+    settings = asked.settings
     if settings.photons == 0:
         what = "the scene has a caustic, and without photons POV-Ray lets light straight through glass"
-        raise NotTranslatable([refusals.at(what, "ask for some photons, for example `photons=100000`", "lights")])
+        remedy = "ask for some photons, for example `photons=100000`"
+        raise NotTranslatable([asked.refusals.at(what, remedy, "lights")])
     # Share the photons of the settings between the two halves and all bands; count those that may leave their light.
     runs = (1 + 1 / SECOND_FLUX) * bands
     useful = sum(_useful_area(source, ball) for source in lights for ball in balls)
@@ -103,18 +111,20 @@ def photon_pass(
     )
 
 
-def photon_targets(world: World, plan: Plan, units: Normalisation, refusals: Refusals) -> tuple[Ball, ...]:
+def photon_targets(asked: Asked, units: Normalisation) -> tuple[Ball, ...]:
     """A ball for each specular object, none without a caustic; an infinite one is refused."""
-    if not plan.requires(Phenomenon.CAUSTIC):
+    if not asked.has_caustic:
         return ()
-    balls, refused = [], []
+    world, balls, refused = asked.world, [], []
     for index, (item, solid) in enumerate(zip(world.scene.objects, world.solids, strict=True)):
         if not world.material(index).is_specular:
             continue
         bounds = room_of(solid)
         if not bounds.is_finite:
             what = f"POV-Ray cannot aim photons at an infinite {item.shape.key}"
-            refused.append(refusals.at(what, "use a rectangle, a disc or a box", "objects", index, item.shape.key))
+            refused.append(
+                asked.refusals.at(what, "use a rectangle, a disc or a box", "objects", index, item.shape.key)
+            )
             continue
         balls.append(Ball(units.point(bounds.centre), units.length(bounds.radius_m)))
     if refused:
@@ -159,13 +169,13 @@ def photon_flux(source: Source, ball: Ball, spacing: float, strength: float) -> 
     return strength * (spacing / length(subtract(ball.centre, source.position))) ** 2
 
 
-def has_exact_flux(world: World, lights: Sequence[Source], photons: PhotonPass) -> bool:
+def has_exact_flux(shooting: Shooting) -> bool:
     """Whether every photon of a run has the flux of the main path, or none at all."""
-    materials = [material for material in _materials(world) if material.is_specular]
+    world, lights, materials = shooting.world, shooting.lights, shooting.specular
     if len(lights) > 1 or any(_varies(material) for material in materials):
         return False
     lossless = all(_is_lossless(material) for material in materials)
-    if len(photons.targets) > 1:
+    if len(shooting.photons.targets) > 1:
         return lossless and lights[0].direction is not None
     if not lossless and _stores_inside(world):
         return False

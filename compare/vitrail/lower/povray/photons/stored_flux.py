@@ -10,11 +10,10 @@ import math
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
-from vitrail.lower.povray.photons.photons import PhotonPass, photon_flux
+from vitrail.lower.povray.photons.photons import Shooting, photon_flux
 from vitrail.lower.povray.text.exposure import Exposure
-from vitrail.lower.povray.text.lights import Source
 from vitrail.optics.dispersion import reference_ior
-from vitrail.scene.model import Material, Scene
+from vitrail.scene.model import Material
 
 ONE_STEP = 1 / 128
 """Largest loss of a truncated 8-bit mantissa, at its low end; the mean over many fluxes is 0.27 %."""
@@ -27,39 +26,35 @@ ALIKE = 9
 """Digits in which two fluxes are the same one."""
 
 
-def main_fluxes(
-    scene: Scene, lights: Sequence[Source], photons: PhotonPass, exposure: Exposure, *, half: str
-) -> tuple[float, ...]:
+def main_fluxes(shooting: Shooting, exposure: Exposure, *, half: str) -> tuple[float, ...]:
     """Flux of a photon behind each specular object, by the shortest way through it, in a run of light factor 1.
 
     Each different one once, the largest first; units squared. With Fresnel it is that at normal incidence.
     """
-    specular = [scene.material_of(item) for item in scene.objects if scene.material_of(item).is_specular]
+    photons = shooting.photons
     found = {
         _rounded(photon_flux(source, ball, photons.spacing[half], strength) * path_share(glass, exposure))
-        for source in lights
+        for source in shooting.lights
         if (strength := max(exposure.share(source.strength))) > 0
-        for ball, glass in zip(photons.targets, specular, strict=True)
+        for ball, glass in zip(photons.targets, shooting.specular, strict=True)
     }
     return tuple(sorted(found - {0.0}, reverse=True))
 
 
-def fluxes_to_keep(
-    scene: Scene, lights: Sequence[Source], photons: PhotonPass, exposure: Exposure
-) -> tuple[float, ...]:
+def fluxes_to_keep(shooting: Shooting, exposure: Exposure) -> tuple[float, ...]:
     """The fluxes that the light factor of a run should keep: its own half's where there are several.
 
     A single one is that of the first half; the spacing of the second keeps it exact there too.
     """
-    first = main_fluxes(scene, lights, photons, exposure, half="a")
-    return first if len(first) <= 1 else main_fluxes(scene, lights, photons, exposure, half=exposure.half)
+    first = main_fluxes(shooting, exposure, half="a")
+    return first if len(first) <= 1 else main_fluxes(shooting, exposure, half=exposure.half)
 
 
-def largest_loss(scene: Scene, lights: Sequence[Source], photons: PhotonPass, exposures: Sequence[Exposure]) -> float:
+def largest_loss(shooting: Shooting, exposures: Sequence[Exposure]) -> float:
     """What storing cuts off photons behind one specular object at most, in the runs of both halves."""
     worst = 0.0
-    for exposure in (replace(each, half=half) for each in exposures for half in photons.spacing):
-        fluxes = fluxes_to_keep(scene, lights, photons, exposure)
+    for exposure in (replace(each, half=half) for each in exposures for half in shooting.photons.spacing):
+        fluxes = fluxes_to_keep(shooting, exposure)
         if len(fluxes) > MOST_FLUXES:
             return ONE_STEP
         if len(fluxes) > 1:

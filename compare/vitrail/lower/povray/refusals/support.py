@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from vitrail.base.phenomenon import Phenomenon
-from vitrail.geometry.world import World
+from vitrail.lower.povray.asked import Asked
 from vitrail.lower.povray.photons.radiosity import radiosity_refusals
 from vitrail.lower.povray.refusals.refusal import NotTranslatable, Refusals
 from vitrail.lower.povray.refusals.undimmed import lamps_in_absorbing_glass
@@ -16,13 +16,13 @@ from vitrail.scene.diagnostic import Diagnostic
 from vitrail.scene.model import Ggx, Material, Scene
 
 
-def refuse_unsupported(world: World, plan: Plan, refusals: Refusals) -> None:
+def refuse_unsupported(asked: Asked) -> None:
     """Raises NotTranslatable with one diagnostic a place."""
-    scene = world.scene
+    scene, plan, refusals = asked.scene, asked.plan, asked.refusals
     found = [*_literal_readings(scene, plan, refusals), *_rough_faces(scene, refusals)]
-    found += lamps_in_absorbing_glass(world, refusals)
+    found += lamps_in_absorbing_glass(asked.world, refusals)
     if scene.transport.indirect == "photons":
-        found += radiosity_refusals(world, refusals)
+        found += radiosity_refusals(asked.world, refusals)
     if found:
         raise NotTranslatable(found)
 

@@ -13,9 +13,9 @@ from dataclasses import dataclass, replace
 from typing import assert_never
 
 from vitrail.base.vector import Vec, add, cross, length, scale, unit
-from vitrail.geometry.world import World
+from vitrail.lower.povray.asked import Asked
 from vitrail.lower.povray.bodies.normalise import Normalisation
-from vitrail.lower.povray.refusals.refusal import NotTranslatable, Refusals
+from vitrail.lower.povray.refusals.refusal import NotTranslatable
 from vitrail.lower.povray.text.emitters import (
     Emitter,
     Grid,
@@ -68,14 +68,14 @@ class Source:
     aside: float = 0.0
 
 
-def sources(world: World, units: Normalisation, grid: Grid, skies: Skies, refusals: Refusals) -> tuple[Source, ...]:
+def sources(asked: Asked, units: Normalisation, grid: Grid, skies: Skies) -> tuple[Source, ...]:
     """The lights of a scene as POV-Ray lights, a grid for each that is no point; raises NotTranslatable."""
     refused: list[Diagnostic] = []
     found: list[Source] = []
-    for index, light in enumerate(world.scene.lights):
+    for index, light in enumerate(asked.scene.lights):
         try:
             own = replace(grid, seed=grid.seed + index)
-            found += _sources(light, index, world, units, own, skies, refusals)
+            found += _sources(light, index, asked, units, own, skies)
         except NotTranslatable as error:
             refused += error.diagnostics
     if refused:
@@ -83,9 +83,7 @@ def sources(world: World, units: Normalisation, grid: Grid, skies: Skies, refusa
     return tuple(found)
 
 
-def _sources(
-    light: Light, index: int, world: World, units: Normalisation, grid: Grid, skies: Skies, refusals: Refusals
-) -> list[Source]:
+def _sources(light: Light, index: int, asked: Asked, units: Normalisation, grid: Grid, skies: Skies) -> list[Source]:
     emitter = light.emitter
     match emitter:
         case Directional():
@@ -94,18 +92,18 @@ def _sources(
                 parts = sun_directions(unit(emitter.direction), emitter.angular_diameter_deg, grid)
             return [_parallel(index, emitter.irradiance, part) for part in parts]
         case Point():
-            fade = _fade(light, index, emitter.position, world, units, refusals)
+            fade = _fade(light, index, emitter.position, asked, units)
             strength = times(emitter.intensity, units.scale**2 / math.pi)
             return [Source(index, strength, units.point(emitter.position), fade_distance=fade)]
         case Spot():
-            fade = _fade(light, index, emitter.position, world, units, refusals)
+            fade = _fade(light, index, emitter.position, asked, units)
             strength = times(emitter.intensity, units.scale**2 / math.pi)
             cone = Cone(unit(emitter.direction), emitter.cone_deg / 2, is_lambert=False)
             return [Source(index, strength, units.point(emitter.position), fade_distance=fade, cone=cone)]
         case Area() if emitter.collimated:
             return [_collimated(index, emitter, units)]
         case Area():
-            return _patch(light, index, emitter, world, units, grid, refusals)
+            return _patch(light, index, emitter, asked, units, grid)
         case Environment():
             if emitter.radiance is None:
                 return [
@@ -138,10 +136,9 @@ def _patch(
     light: Light,
     index: int,
     lamp: Area,
-    world: World,
+    asked: Asked,
     units: Normalisation,
     grid: Grid,
-    refusals: Refusals,
 ) -> list[Source]:
     """One-sided Lambertian points on the lamp: I = radiance * area * cosine, shared."""
     shape = lamp.shape
@@ -149,7 +146,7 @@ def _patch(
     strength = times(lamp.strength, area_of(shape) * units.scale**2 / math.pi)
     found = []
     for part in parts:
-        fade = _fade(light, index, part.position, world, units, refusals)
+        fade = _fade(light, index, part.position, asked, units)
         cone = Cone(part.direction, 90.0, is_lambert=True)
         position = units.point(part.position)
         found.append(Source(index, times(strength, part.share), position, fade_distance=fade, cone=cone))
@@ -161,15 +158,14 @@ def area_of(shape: Rectangle | Disc) -> float:
     return math.pi * shape.radius**2 if isinstance(shape, Disc) else 4 * length(shape.u) * length(shape.v)
 
 
-def _fade(light: Light, index: int, position: Vec, world: World, units: Normalisation, refusals: Refusals) -> float:
+def _fade(light: Light, index: int, position: Vec, asked: Asked, units: Normalisation) -> float:
     """The fade distance of a lamp, units, from its nearest surface."""
-    nearest = min((solid.distance(position) for solid in world.solids), default=1 / units.scale)
+    nearest = min((solid.distance(position) for solid in asked.world.solids), default=1 / units.scale)
     reach = units.length(nearest)
     if reach <= NEAREST_SURFACE:
         what = f"the lamp is {nearest:.3g} m from a surface, nearer than POV-Ray's shadow rays can tell"
-        raise NotTranslatable(
-            [refusals.at(what, "move the lamp away from the surface", "lights", index, light.emitter.key)]
-        )
+        remedy = "move the lamp away from the surface"
+        raise NotTranslatable([asked.refusals.at(what, remedy, "lights", index, light.emitter.key)])
     return FADE_SHARE * reach
 
 

@@ -95,12 +95,12 @@ def _apart(scene: Scene, skies: Skies) -> tuple[Exposure, ...]:
 
 
 def _coloured_glass(scene: Scene) -> str:
-    """Number of the first specular material whose faces or inside are coloured (M1 is the first material)."""
-    for index, material in enumerate(scene.materials.values(), 1):
+    """The first specular material whose faces or inside are coloured; empty where there is none."""
+    for name, material in scene.materials.items():
         inside = material.absorption_per_m or (material.attenuation.color if material.attenuation else (0.0,) * 3)
         colours: tuple[Triplet, ...] = (material.reflection, material.transmission, inside)
         if material.is_specular and any(_is_coloured(colour) for colour in colours):
-            return f"M{index}"
+            return f"`{name}`"
     return ""
 
 
@@ -115,7 +115,7 @@ def light_colours(light: Light, sky: Sky | None) -> list[Triplet]:
 def _coloured_light(scene: Scene, skies: Skies) -> str:
     for index, light in enumerate(scene.lights):
         if any(_is_coloured(colour) for colour in light_colours(light, skies.get(index))):
-            return f"L{index + 1}"
+            return f"`{light.name}`"
     return ""
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 
 from vitrail.base.phenomenon import Phenomenon
@@ -12,14 +11,13 @@ from vitrail.lower.povray.bodies.immersion import index_around, seen_from_outsid
 from vitrail.lower.povray.bodies.nesting import Cut, Nesting
 from vitrail.lower.povray.bodies.normalise import Normalisation
 from vitrail.lower.povray.text.exposure import Exposure, Triplet
-from vitrail.lower.povray.text.indices import Indices
 from vitrail.lower.povray.text.materials import Layers, as_interior, textures_sdl
 from vitrail.lower.povray.text.roughness import Bumps, bumps_of
 from vitrail.lower.povray.text.sdl import Block, Part, block, rgb, statement
 from vitrail.lower.povray.text.shapes import primitive
 from vitrail.lower.povray.text.surface import Surface, specular_pool
+from vitrail.lower.povray.translation import Translation
 from vitrail.optics.dispersion import reference_ior
-from vitrail.plan.plan import Plan
 from vitrail.scene.absorption import absorption_per_m
 from vitrail.scene.model import Ambient, Material, Object, Scene
 
@@ -29,22 +27,25 @@ CLEAR = block("texture", block("pigment", statement(rgb((1, 1, 1)), "filter", 1)
 
 @dataclass(frozen=True)
 class ObjectText:
-    """What turns the objects of one scene into text; ``has_photons`` makes specular ones the targets of photons.
+    """What turns the objects of a translated scene into text; with photons, specular ones are their targets."""
 
-    ``under`` names the glasses that lie on a body that is none.
-    """
-
-    world: World
-    plan: Plan
-    units: Normalisation
-    has_photons: bool
-    indices: Indices
-    nesting: Nesting
-    under: Mapping[int, tuple[int, ...]]
+    translation: Translation
 
     @property
     def scene(self) -> Scene:
         return self.world.scene
+
+    @property
+    def world(self) -> World:
+        return self.translation.world
+
+    @property
+    def units(self) -> Normalisation:
+        return self.translation.units
+
+    @property
+    def nesting(self) -> Nesting:
+        return self.translation.bodies.nesting
 
     def sdl(self, index: int, placed: Solid, exposure: Exposure, is_shooting: bool) -> Block:
         """The object in one run; ``placed`` is its shape, where a gap has been opened already."""
@@ -96,7 +97,7 @@ class ObjectText:
         bumps = [bumps_of(material, ior, from_inside=side) if material.is_specular else None for side in (False, True)]
         outer = self._layers(material, placed, exposure, bumps[0], around)
         if not material.is_transmissive:
-            for glass in self.under.get(index, ()):
+            for glass in self.translation.bodies.joined.under.get(index, ()):
                 # Where glass lies on this face, its radiance is seen from inside the glass.
                 within = seen_from_outside(self.world, self._index_of(self.scene.objects[glass]))
                 covered = self._layers(material, placed, exposure, bumps[0], within)
@@ -115,7 +116,9 @@ class ObjectText:
 
     @property
     def _has_ambient(self) -> bool:
-        return isinstance(self.scene.transport.indirect, Ambient) and self.plan.requires(Phenomenon.INDIRECT_LIGHT)
+        return isinstance(self.scene.transport.indirect, Ambient) and self.translation.plan.requires(
+            Phenomenon.INDIRECT_LIGHT
+        )
 
     def _interior(self, material: Material, exposure: Exposure, is_shooting: bool) -> tuple[Part, ...]:
         """The index where light enters or Fresnel asks for it, and the absorption where the plan wants it.
@@ -126,12 +129,12 @@ class ObjectText:
         if not material.is_transmissive and not (material.fresnel and material.is_specular):
             return ()
         inside = self._absorption(material, exposure) if material.is_transmissive else None
-        interior = block("interior", *self.indices.sdl(material, exposure, is_shooting), inside)
+        interior = block("interior", *self.translation.indices.sdl(material, exposure, is_shooting), inside)
         return (interior, statement("hollow")) if self._has_media and material.is_transmissive else (interior,)
 
     def _absorption(self, material: Material, exposure: Exposure) -> Block | None:
         """The medium of a glass that takes light in this run."""
-        if not self.plan.requires(Phenomenon.ABSORPTION):
+        if not self.translation.plan.requires(Phenomenon.ABSORPTION):
             return None
         per_unit = exposure.share(self._absorption_per_unit(material))
         return block("media", statement("absorption", rgb(per_unit))) if max(per_unit) > 0 else None
@@ -140,7 +143,7 @@ class ObjectText:
     def _has_media(self) -> bool:
         """Whether something absorbs: then every solid that light crosses must be hollow, or its media are skipped."""
         absorbs = any(max(absorption_per_m(each)) > 0 for each in self.scene.materials.values())
-        return absorbs and self.plan.requires(Phenomenon.ABSORPTION)
+        return absorbs and self.translation.plan.requires(Phenomenon.ABSORPTION)
 
     def _absorption_per_unit(self, material: Material) -> Triplet:
         red, green, blue = absorption_per_m(material)
@@ -148,7 +151,7 @@ class ObjectText:
 
     def _photons(self, material: Material) -> Block | None:
         """Photons are aimed at everything specular; only what scatters collects them."""
-        if not self.has_photons or not material.is_specular:
+        if self.translation.photons is None or not material.is_specular:
             return None
         return block(
             "photons",
