@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from tests.pipeline.doubles import CARD, FormulaEngine
-from tests.pipeline.test_suite import RULES
+from tests.pipeline.test_compare import RULES
 from vitrail.engines.base import Rendering
 from vitrail.judge.comparison import ObservationResult, Verdict
 from vitrail.judge.judgement import judge_observation

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from tests.pipeline.doubles import CARD
-from tests.pipeline.test_suite import RULES, TRUTH
+from tests.pipeline.test_compare import RULES, TRUTH
 from vitrail.images.exr import ImageError, write_image
 from vitrail.judge.comparison import Pair, Verdict
 from vitrail.judge.records import Results, Status

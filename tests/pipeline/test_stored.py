@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from tests.pipeline.doubles import CARD, FormulaEngine
-from tests.pipeline.test_suite import RULES
+from tests.pipeline.test_compare import RULES
 from vitrail.images.exr import read_image, write_image
 from vitrail.judge.comparison import Pair, Verdict
 from vitrail.judge.records import Results

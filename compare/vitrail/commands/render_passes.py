@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING
 
 import typer
 
-from vitrail.base.engine_name import EngineName
 from vitrail.base.exit_code import ExitCode
 from vitrail.commands.comparison_options import reference_errors
 from vitrail.commands.errors import usage_error
@@ -18,8 +17,9 @@ from vitrail.commands.target_error import parse_target_error
 
 if TYPE_CHECKING:
     from vitrail.pipeline.job import Job
-    from vitrail.pipeline.passes.run import Finished, Look
-    from vitrail.pipeline.passes.stop import Wish
+    from vitrail.pipeline.passes.error_estimate import ErrorEstimate
+    from vitrail.pipeline.passes.run import Finished
+    from vitrail.pipeline.passes.stop import StopCriteria
     from vitrail.scene.load import Loaded
 
 PASSES = typer.Option(None, "--passes", min=1, help="Make so many independent passes and average them.")
@@ -55,10 +55,11 @@ def render_passes(job: Job, threads: int, out: Path, options: PassOptions) -> tu
     from vitrail.judge.thresholds import thresholds_of
     from vitrail.pipeline.passes.checkpoint import CheckpointError, checkpoint_path
     from vitrail.pipeline.passes.interrupt import patient_interrupt
-    from vitrail.pipeline.passes.run import PassesJob, run_passes
+    from vitrail.pipeline.passes.passes_job import PassesJob
+    from vitrail.pipeline.passes.run import run_passes
     from vitrail.pipeline.passes.schedule import pass_settings
 
-    wish, loaded = _wish(job.loaded, options), job.loaded
+    criteria, loaded = _stop_criteria(job.loaded, options), job.loaded
     try:
         settings = pass_settings(job.scene, job.settings, samples_given=options.samples_given)
     except ValueError as error:
@@ -69,36 +70,36 @@ def render_passes(job: Job, threads: int, out: Path, options: PassOptions) -> tu
     with reference_errors():
         references = references_folder(loaded.path)
         truth = read_scene_truth(references, loaded.path.stem, loaded.scene)
-        lowered = replace(job, settings=settings).lowered(EngineName.TRACER)
-        passes = PassesJob(loaded.scene, lowered, out, truth, thresholds_of(references), Tracer(), threads)
+        first = replace(job, settings=settings)
+        passes = PassesJob(first, out, truth, thresholds_of(references), Tracer(), threads)
         try:
             with progress_bar(out.stem) as show, patient_interrupt() as interrupt:
-                look = lambda found: typer.echo(_look_line(found, wish), err=True)  # noqa: E731
-                done = run_passes(passes, wish, interrupt, resume=options.resume, progress=show, on_look=look)
+                say = lambda found: typer.echo(_estimate_line(found, criteria), err=True)  # noqa: E731
+                done = run_passes(passes, criteria, interrupt, resume=options.resume, progress=show, on_estimate=say)
         except CheckpointError as error:
             raise usage_error(str(error)) from None
-    for line in _pixel_lines(done, wish):
+    for line in _pixel_lines(done, criteria):
         typer.echo(line, err=True)
-    return done, _exit_code(done, wish)
+    return done, _exit_code(done, criteria)
 
 
-def _wish(loaded: Loaded, options: PassOptions) -> Wish:
-    from vitrail.pipeline.passes.stop import Target, Wish
+def _stop_criteria(loaded: Loaded, options: PassOptions) -> StopCriteria:
+    from vitrail.pipeline.passes.stop import StopCriteria, Target
 
     observed = [entry.phenomenon.value for entry in loaded.scene.observe]
     remedy = "name one of them, or add an entry to `observe` that says where to look for it (scenes/README.md)"
     targets = [parse_target_error(text, observed, "the scene observes", remedy) for text in options.target_error]
-    return Wish(options.passes, options.budget_s, tuple(Target(*target) for target in targets))
+    return StopCriteria(options.passes, options.budget_s, tuple(Target(*target) for target in targets))
 
 
-def _look_line(look: Look, wish: Wish) -> str:
+def _estimate_line(estimate: ErrorEstimate, criteria: StopCriteria) -> str:
     """What is known after so many passes, and what is still to be expected."""
-    known = ", ".join(_known(target, look.errors) for target in wish.targets)
-    start = f"{look.passes} passes, {look.cpu_s:.2g} CPU s: {known}"
-    if look.wanted is None or look.wanted <= look.passes:
+    known = ", ".join(_known(target, estimate.errors) for target in criteria.targets)
+    start = f"{estimate.passes} passes, {estimate.cpu_s:.2g} CPU s: {known}"
+    if estimate.wanted is None or estimate.wanted <= estimate.passes:
         return start
-    more = look.wanted - look.passes
-    return f"{start}; about {more} passes more, {more * look.cpu_s / look.passes:.2g} CPU s"
+    more = estimate.wanted - estimate.passes
+    return f"{start}; about {more} passes more, {more * estimate.cpu_s / estimate.passes:.2g} CPU s"
 
 
 def _known(target, errors) -> str:  # type: ignore[no-untyped-def]
@@ -108,18 +109,18 @@ def _known(target, errors) -> str:  # type: ignore[no-untyped-def]
     return f"{target.phenomenon} {worst.error:.2g} ({worst.observation}: {worst.metric}), wanted {target.error:g}"
 
 
-def _exit_code(done: Finished, wish: Wish) -> int:
+def _exit_code(done: Finished, criteria: StopCriteria) -> int:
     """130 after Ctrl-C, 5 where an error was wanted and something else ended the passes before."""
     from vitrail.pipeline.passes.stop import Reason
 
     if done.reason is Reason.INTERRUPTED:
         return ExitCode.INTERRUPTED
-    return ExitCode.INCONCLUSIVE if wish.targets and done.reason is not Reason.TARGET_ERROR else 0
+    return ExitCode.INCONCLUSIVE if criteria.targets and done.reason is not Reason.TARGET_ERROR else 0
 
 
-def _pixel_lines(done: Finished, wish: Wish) -> list[str]:
+def _pixel_lines(done: Finished, criteria: StopCriteria) -> list[str]:
     """Where pixels blur a number by more than the error that was wanted of it, which no pass can mend."""
-    worst = [(target, target.largest_of_pixels(done.errors)) for target in wish.targets]
+    worst = [(target, target.largest_of_pixels(done.errors)) for target in criteria.targets]
     return [
         f"warning: the pixels of this image blur {number.observation} ({number.metric}) by up to"
         f" {number.pixel_error:.2g} beside that, more than {target}; a larger image blurs less"

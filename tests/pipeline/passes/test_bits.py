@@ -12,7 +12,7 @@ from tests.pipeline.passes.small_job import glowing_ball, job, passes
 from vitrail.engines.tracer import Tracer
 from vitrail.images.exr import ImageLayers, read_image
 from vitrail.pipeline.passes.checkpoint import CheckpointError, checkpoint_path
-from vitrail.pipeline.passes.run import PassesJob
+from vitrail.pipeline.passes.passes_job import PassesJob
 
 
 def assert_same_bits(first: ImageLayers, second: ImageLayers) -> None:
@@ -54,7 +54,14 @@ def test_the_layers_of_the_mean_sum_to_its_radiance(tmp_path: Path) -> None:
 
 
 def foreign(work: PassesJob, **settings: object) -> PassesJob:
-    return replace(work, lowered={**work.lowered, "settings": {**work.lowered["settings"], **settings}})
+    return with_lowered(work, settings={**work.lowered["settings"], **settings})
+
+
+def with_lowered(work: PassesJob, **changes: object) -> PassesJob:
+    """The same job, lowered to something else."""
+    other = replace(work)
+    vars(other)["lowered"] = {**work.lowered, **changes}
+    return other
 
 
 def test_a_foreign_checkpoint_is_refused_with_what_differs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -66,10 +73,10 @@ def test_a_foreign_checkpoint_is_refused_with_what_differs(tmp_path: Path, monke
     ):
         passes(foreign(work, seed=2), 2, resume=True)
     with pytest.raises(CheckpointError, match="holds passes of another scene"):
-        passes(replace(work, lowered={**work.lowered, "scene_hash": "0" * 64}), 2, resume=True)
+        passes(with_lowered(work, scene_hash="0" * 64), 2, resume=True)
     with pytest.raises(CheckpointError, match="whose meshes, images of the sky or plan were others"):
-        passes(replace(work, lowered={**work.lowered, "title": "other"}), 2, resume=True)
-    monkeypatch.setattr("vitrail.pipeline.passes.run.build_of", lambda engine: "vitrail-tracer 9 (abc)")
+        passes(with_lowered(work, title="other"), 2, resume=True)
+    monkeypatch.setattr("vitrail.pipeline.passes.passes_job.build_of", lambda engine: "vitrail-tracer 9 (abc)")
     with pytest.raises(CheckpointError, match=r"of another tracer \(vitrail-tracer .*, not vitrail-tracer 9 \(abc\)\)"):
         passes(work, 2, resume=True)
     assert checkpoint_path(work.out).read_bytes() == kept

@@ -16,9 +16,10 @@ from vitrail.engines.base import Rendering
 from vitrail.images.exr import read_image
 from vitrail.judge.half_error import HalfError, Scatter
 from vitrail.pipeline.passes.checkpoint import checkpoint_path, read_checkpoint
-from vitrail.pipeline.passes.run import Finished, Look
+from vitrail.pipeline.passes.error_estimate import ErrorEstimate
+from vitrail.pipeline.passes.run import Finished
 from vitrail.pipeline.passes.schedule import blur_radius_m
-from vitrail.pipeline.passes.stop import Reason, Target, Wish, is_spent, next_look, passes_wanted
+from vitrail.pipeline.passes.stop import Reason, StopCriteria, Target, is_spent, next_look, passes_wanted
 
 FLUX = 0.8 * 0.716163303479 * math.pi
 """W/sr of the ball lens within 0.9 m: d E / pi times pi b(0.9)^2, E = pi [O 1.6], as in references/analytic.yaml."""
@@ -79,27 +80,27 @@ def test_the_blur_of_the_disc_goes_away_and_is_known_while_it_lasts(tmp_path: Pa
 
 
 def test_a_target_stops_at_the_first_look_that_meets_it_and_the_closed_form_lies_within(tmp_path: Path) -> None:
-    looks: list[Look] = []
+    estimates: list[ErrorEstimate] = []
     target = Target("caustic", "caustic_flux", 0.006)
-    done = passes(job(tmp_path / "image.exr"), Wish(targets=(target,)), on_look=looks.append)
+    done = passes(job(tmp_path / "image.exr"), StopCriteria(targets=(target,)), on_estimate=estimates.append)
     assert done.reason is Reason.TARGET_ERROR and done.record is not None
-    *before, last = [target.largest(look.errors) for look in looks]
+    *before, last = [target.largest(estimate.errors) for estimate in estimates]
     assert last is not None and last.error <= 0.006
     assert before and all(each is not None and each.error > 0.006 for each in before)
-    assert done.record["passes"]["count"] == looks[-1].passes
+    assert done.record["passes"]["count"] == estimates[-1].passes
     assert abs(last.value - FLUX) <= last.half_width + last.blur + last.pixel_blur
     # A met target stays met: nothing more is made for it.
-    again = passes(job(tmp_path / "image.exr"), Wish(targets=(target,)), resume=True)
-    assert again.record is not None and again.record["passes"]["count"] == looks[-1].passes
+    again = passes(job(tmp_path / "image.exr"), StopCriteria(targets=(target,)), resume=True)
+    assert again.record is not None and again.record["passes"]["count"] == estimates[-1].passes
     stored = json.loads(str(read_image(tmp_path / "image.exr").metadata["vitrail:passes"]))
-    assert stored["count"] == looks[-1].passes and stored["errors"]
+    assert stored["count"] == estimates[-1].passes and stored["errors"]
 
 
-def test_looks_between_sittings_are_those_of_one(tmp_path: Path) -> None:
+def test_estimates_between_sittings_are_those_of_one(tmp_path: Path) -> None:
     target = Target("caustic", "caustic_flux", 0.006)
-    whole = passes(job(tmp_path / "one.exr"), Wish(targets=(target,)))
-    passes(job(tmp_path / "two.exr"), Wish(passes=3, targets=(target,)))
-    parts = passes(job(tmp_path / "two.exr"), Wish(targets=(target,)), resume=True)
+    whole = passes(job(tmp_path / "one.exr"), StopCriteria(targets=(target,)))
+    passes(job(tmp_path / "two.exr"), StopCriteria(passes=3, targets=(target,)))
+    parts = passes(job(tmp_path / "two.exr"), StopCriteria(targets=(target,)), resume=True)
     assert whole.record is not None and parts.record is not None
     assert whole.record["passes"]["count"] == parts.record["passes"]["count"] > 3
 
@@ -137,16 +138,16 @@ class Priced(FormulaEngine):
 def test_a_budget_buys_what_fits_and_one_pass_always(budget_s: float, made: int, tmp_path: Path) -> None:
     engine = Priced("tracer", noise=0.1)
     work = job(tmp_path / "image.exr", engine=engine)
-    done = passes(work, Wish(budget_s=budget_s))
+    done = passes(work, StopCriteria(budget_s=budget_s))
     assert (engine.renders, done.reason) == (made, Reason.BUDGET)
     assert done.record is not None
     assert done.record["process"]["cpu_s"] == 2 * made and done.record["counters"]["photons_emitted"] == 9000 * made
 
 
 def test_a_budget_is_for_all_sittings_together(tmp_path: Path) -> None:
-    passes(job(tmp_path / "image.exr", engine=Priced("tracer", noise=0.1)), Wish(budget_s=4))
+    passes(job(tmp_path / "image.exr", engine=Priced("tracer", noise=0.1)), StopCriteria(budget_s=4))
     engine = Priced("tracer", noise=0.1)
-    passes(job(tmp_path / "image.exr", engine=engine), Wish(budget_s=8), resume=True)
+    passes(job(tmp_path / "image.exr", engine=engine), StopCriteria(budget_s=8), resume=True)
     assert engine.renders == 2
 
 
@@ -156,4 +157,4 @@ def test_the_next_look_is_where_the_target_should_be_met_and_never_beyond_twice_
     assert passes_wanted([Target("caustic", "r90", 0.01)], [error], 4) is None
     assert [next_look(36, 4), next_look(6, 4), next_look(3, 4), next_look(None, 4)] == [8, 6, 5, 8]
     assert [next_look(2, 1), next_look(101, 100)] == [2, 125]
-    assert is_spent(Wish(), [1.0] * 1000) is None
+    assert is_spent(StopCriteria(), [1.0] * 1000) is None

@@ -8,7 +8,7 @@ import pytest
 
 from tests.pipeline.passes.small_job import ball_lens
 from vitrail.base.changed import changed
-from vitrail.geometry.world import World
+from vitrail.pipeline.job import prepare
 from vitrail.pipeline.passes.schedule import (
     blur_radius_m,
     gather_radii_m,
@@ -17,8 +17,7 @@ from vitrail.pipeline.passes.schedule import (
     seed_of_pass,
     square_radii,
 )
-from vitrail.plan.analyse import analyse
-from vitrail.plan.budget import settings_for
+from vitrail.plan.settings import Quality
 from vitrail.scene.model import Image
 
 
@@ -49,9 +48,8 @@ def test_the_first_pass_is_the_plain_rendering_and_no_other_shares_its_seed() ->
 
 
 def test_a_pass_has_two_samples_unless_the_scene_wants_one() -> None:
-    scene = ball_lens(8)
-    world = World.of_scene(scene)
-    draft = settings_for(world, analyse(world), "draft")
+    ready = prepare(ball_lens(8), Quality.DRAFT)
+    scene, draft = ready.scene, ready.settings
     assert draft.samples == 1
     assert pass_settings(scene, draft, samples_given=False) == changed(draft, samples=2)
     with pytest.raises(ValueError, match="ask for 2 samples or more"):

@@ -49,7 +49,7 @@ class Target:
 
 
 @dataclass(frozen=True)
-class Wish:
+class StopCriteria:
     """What ends the passes; whichever comes first. ``budget_s`` are CPU seconds of the engine over all sittings."""
 
     passes: int | None = None
@@ -57,11 +57,11 @@ class Wish:
     targets: tuple[Target, ...] = ()
 
 
-def is_spent(wish: Wish, cpu_s: Sequence[float]) -> Reason | None:
+def is_spent(criteria: StopCriteria, cpu_s: Sequence[float]) -> Reason | None:
     """Whether passes that took ``cpu_s`` leave none to make. One pass is always made: no image is no answer."""
-    if wish.passes is not None and len(cpu_s) >= wish.passes:
+    if criteria.passes is not None and len(cpu_s) >= criteria.passes:
         return Reason.PASSES
-    if wish.budget_s is not None and cpu_s and math.fsum(cpu_s) + next_price_s(cpu_s) > wish.budget_s:
+    if criteria.budget_s is not None and cpu_s and math.fsum(cpu_s) + next_price_s(cpu_s) > criteria.budget_s:
         return Reason.BUDGET
     return None
 
