@@ -8,6 +8,6 @@
     judge     Results       judge.py            verdicts of all scenes, at one false-alarm rate
 
 ``suite.py`` remembers what the scenes of one comparison have come to; ``campaign.py`` runs the tasks of a study;
-``scheduler.py`` is how both do several things at a time. ``passes/`` makes one image of many passes, ``score.py`` judges
-images of other programs, ``accept.py`` makes an image the reference of its scene.
+``scheduler.py`` is how both do several things at a time. ``passes/`` makes one image of many passes; ``score.py``
+judges images of other programs; ``accept.py`` makes an image the reference of its scene.
 """
