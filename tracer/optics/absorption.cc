@@ -15,9 +15,4 @@ Rgb transmittance(Rgb absorption_per_m, double distance) {
           transmittance(absorption_per_m.b, distance)};
 }
 
-double absorbed_share(double absorption_per_m, double distance) {
-  if (absorption_per_m == 0 || distance == 0) return 0;
-  return -std::expm1(-absorption_per_m * distance);
-}
-
 }  // namespace vitrail

@@ -10,7 +10,4 @@ namespace vitrail {
 double transmittance(double absorption_per_m, double distance);
 Rgb transmittance(Rgb absorption_per_m, double distance);
 
-/// 1 - exp(-a L) without cancellation: what the way has taken.
-double absorbed_share(double absorption_per_m, double distance);
-
 }  // namespace vitrail

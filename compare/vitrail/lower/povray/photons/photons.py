@@ -56,7 +56,6 @@ class PhotonPass:
     spacing: dict[str, float]
     gather_radius: float
     targets: tuple[Ball, ...]
-    expected_shot: float
 
     def sdl(self, half: str, file: str) -> Block:
         """The photons block of one half; ``file`` is what happens to the map: ``save_file`` or ``load_file``."""
@@ -107,7 +106,6 @@ def photon_pass(
         spacing={"a": spacing, "b": spacing * math.sqrt(SECOND_FLUX)},
         gather_radius=units.length(settings.gather_radius_m),
         targets=balls,
-        expected_shot=shot / spacing**2,
     )
 
 
