@@ -45,8 +45,8 @@ TEST(Exr, HoldsPlannedLayersAndMetadata) {
   std::filesystem::remove(path);
 }
 
-TEST(Exr, ThatCannotBeWrittenIsAnInputError) {
-  EXPECT_THROW(write_exr("/nonexistent/folder/x.exr", Film(1, 1), Plan{}, {}), InputError);
+TEST(Exr, ThatCannotBeWrittenIsAnOutputError) {
+  EXPECT_THROW(write_exr("/nonexistent/folder/x.exr", Film(1, 1), Plan{}, {}), OutputError);
 }
 
 /// A sky that is written and read again is the same sky.

@@ -5,7 +5,8 @@
 
 namespace vitrail {
 
-inline constexpr int kExitOk = 0, kExitBadInput = 2, kExitInterrupted = 130;
+/// As tracer/README.md promises them.
+inline constexpr int kExitOk = 0, kExitFailure = 1, kExitBadInput = 2, kExitInterrupted = 130;
 
 void add_render_command(CLI::App& app, int& exit_code);
 void add_trace_command(CLI::App& app, int& exit_code);

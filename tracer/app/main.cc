@@ -15,7 +15,8 @@ int main(int argc, char** argv) {
   vitrail::add_validate_command(app, exit_code);
   app.add_subcommand("version", "Print the version")->callback([] { std::puts("vitrail-tracer " VITRAIL_VERSION); });
 
-  // Wrong input and wrong options end alike: a message that names the place, and exit code 2.
+  // Wrong input and wrong options end alike: a message that names the place, and exit code 2. All else is a failure: a
+  // file that cannot be written, a limit met while rendering, a defect.
   try {
     app.parse(argc, argv);
     return exit_code;
@@ -29,6 +30,6 @@ int main(int argc, char** argv) {
     return vitrail::kExitBadInput;
   } catch (const std::exception& failure) {
     std::fprintf(stderr, "vitrail-tracer: %s\n", failure.what());
-    return 1;
+    return vitrail::kExitFailure;
   }
 }

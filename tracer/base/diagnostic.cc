@@ -1,7 +1,5 @@
 #include "base/diagnostic.h"
 
-#include <utility>
-
 namespace vitrail {
 
 std::string Diagnostic::text() const { return path + ": " + what + "; " + remedy; }
@@ -19,7 +17,6 @@ std::string joined(const std::vector<Diagnostic>& found) {
 
 }  // namespace
 
-InputError::InputError(std::vector<Diagnostic> found)
-    : std::runtime_error(joined(found)), diagnostics_(std::move(found)) {}
+InputError::InputError(const std::vector<Diagnostic>& found) : std::runtime_error(joined(found)) {}
 
 }  // namespace vitrail

@@ -1,5 +1,5 @@
 #pragma once
-/// What is wrong with the input, where, and what to do about it. All errors are collected before stopping.
+/// What went wrong, where, and what to do about it: with the input, with the output, or on the way.
 
 #include <stdexcept>
 #include <string>
@@ -16,14 +16,22 @@ struct Diagnostic {
   std::string text() const;
 };
 
-/// Thrown once, with everything that was found. Programs answer it with exit code 2.
+/// The input is wrong: thrown once, with everything that was found, before any work begins.
 class InputError : public std::runtime_error {
  public:
-  explicit InputError(std::vector<Diagnostic> found);
-  const std::vector<Diagnostic>& diagnostics() const { return diagnostics_; }
+  explicit InputError(const std::vector<Diagnostic>& found);
+};
 
- private:
-  std::vector<Diagnostic> diagnostics_;
+/// A file cannot be written.
+class OutputError : public std::runtime_error {
+ public:
+  explicit OutputError(const Diagnostic& found) : std::runtime_error(found.text()) {}
+};
+
+/// A limit of this program that shows only while it works, such as the depth of nested solids.
+class LimitError : public std::runtime_error {
+ public:
+  explicit LimitError(const Diagnostic& found) : std::runtime_error(found.text()) {}
 };
 
 }  // namespace vitrail

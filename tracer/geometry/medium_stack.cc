@@ -11,7 +11,7 @@ void MediumSet::enter(std::uint32_t object, bool counted) {
       return;
     }
   if (size_ == kCapacity)
-    throw InputError({{"scene.objects", "have more than 15 solids around one point", "nest fewer solids"}});
+    throw LimitError({"scene.objects", "have more than 15 solids around one point", "nest fewer solids"});
 
   // Keep the objects in order, so that equal sets are equal whatever way led there.
   int place = size_++;

@@ -11,7 +11,7 @@ namespace vitrail {
 /// No solid: air, index 1, no absorption.
 inline constexpr std::uint32_t kAir = 0xffffffffu;
 
-/// The solids that contain a point. Cheap to copy; more than 15 nested solids are refused with InputError.
+/// The solids that contain a point. Cheap to copy; more than 15 nested solids end the work with LimitError.
 class MediumSet {
  public:
   static constexpr int kCapacity = 15;

@@ -95,12 +95,11 @@ void write_exr(const std::string& path, const Film& film, const Plan& plan,
     write_planes(unfinished, film, all, metadata);
   } catch (const std::exception& error) {
     std::remove(unfinished.c_str());
-    throw InputError(
-        {{path, std::string("cannot be written: ") + error.what(), "choose a folder that can be written"}});
+    throw OutputError({path, std::string("cannot be written: ") + error.what(), "choose a folder that can be written"});
   }
   if (std::rename(unfinished.c_str(), path.c_str()) != 0) {
     std::remove(unfinished.c_str());
-    throw InputError({{path, "cannot be replaced", "choose a file that can be written"}});
+    throw OutputError({path, "cannot be replaced", "choose a file that can be written"});
   }
 }
 

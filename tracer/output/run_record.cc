@@ -84,7 +84,7 @@ void write_text(const std::string& path, const std::string& text) {
   std::ofstream file(path, std::ios::binary | std::ios::trunc);
   file << text;
   file.close();
-  if (!file) throw InputError({{path, "cannot be written", "choose a folder that can be written"}});
+  if (!file) throw OutputError({path, "cannot be written", "choose a folder that can be written"});
 }
 
 }  // namespace vitrail

@@ -19,7 +19,7 @@ std::string settings_json(const Scene& scene);
 
 std::string run_record_json(const Scene& scene, const Rendering& rendering, const RunFacts& facts);
 
-/// Throws InputError if the file cannot be written.
+/// Throws OutputError if the file cannot be written.
 void write_text(const std::string& path, const std::string& text);
 
 }  // namespace vitrail
