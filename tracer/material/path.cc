@@ -1,5 +1,7 @@
 #include "material/path.h"
 
+#include <stdexcept>
+
 namespace vitrail {
 
 const char* event_name(PathEvent event) {
@@ -19,7 +21,7 @@ const char* event_name(PathEvent event) {
     case PathEvent::escape:
       return "escape";
   }
-  return "";
+  throw std::logic_error("no such event");
 }
 
 namespace {

@@ -71,6 +71,18 @@ void add_branches(const Paper& paper, const Hit& hit, Vec3 direction, const Boun
     result.transmit.set(Lobe::transmission, refraction.direction, refracted, hit.through(), boundary.after);
 }
 
+/// Whose surface it is, and what it shows.
+void describe(const Scene& scene, const Boundary& boundary, Interaction& result) {
+  const Crossing& surface = *boundary.interface;
+  result.object = boundary.object;
+  result.material = scene.objects[result.object].material;
+  const Material& material = scene.materials[result.material];
+  result.entering = surface.entering;
+  result.diffuse = boundary.other_interface == nullptr ? texture_at(material.diffuse, surface.s, surface.q) : Rgb{};
+  result.emission = texture_at(material.emission, surface.s, surface.q);
+  result.roughness = material.roughness;
+}
+
 }  // namespace
 
 Interaction interact(const Scene& scene, const Incidence& incidence) {
@@ -95,18 +107,11 @@ void interact(const Scene& scene, const Incidence& incidence, Interaction& resul
     return;
   }
 
-  // Describe the surface.
-  const Crossing& surface = *boundary.interface;
   result.transmit.exists = false;
   result.reflect.exists = false;
-  result.object = boundary.object;
-  result.material = scene.objects[result.object].material;
+  describe(scene, boundary, result);
+  const Crossing& surface = *boundary.interface;
   const Material& material = scene.materials[result.material];
-  result.entering = surface.entering;
-  result.diffuse = boundary.other_interface == nullptr ? texture_at(material.diffuse, surface.s, surface.q) : Rgb{};
-  result.emission = texture_at(material.emission, surface.s, surface.q);
-  result.roughness = material.roughness;
-
   const MediumIndex from = index_in(scene, result.medium_before, band, ior);
   result.index = {from.ior, from.ior, from.ior_minus_one, from.ior_minus_one};
 

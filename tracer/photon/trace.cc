@@ -36,7 +36,8 @@ class StartMedia {
 constexpr std::size_t kAtOnce = 256;
 
 // Draw the points, and map them all together.
-void draw(Stream stream, std::uint32_t first, std::size_t count, bool four, EmissionColumns& columns) {
+void draw(const Chart& chart, Stream stream, std::uint32_t first, std::size_t count, EmissionColumns& columns) {
+  const bool four = needs_four(chart);
   columns.count = count;
   for (std::size_t i = 0; i < count; ++i) {
     const std::uint32_t index = first + static_cast<std::uint32_t>(i);
@@ -64,7 +65,7 @@ void emit_block(const Chart& chart, Stream stream, std::uint64_t first, std::uin
   for (std::uint64_t done = 0; done < count; done += EmissionColumns::kCapacity) {
     const auto size = static_cast<std::size_t>(std::min<std::uint64_t>(EmissionColumns::kCapacity, count - done));
     const auto index = static_cast<std::uint32_t>(first + done);
-    draw(stream, index, size, needs_four(chart), *columns);
+    draw(chart, stream, index, size, *columns);
     emit(chart, *columns);
     for (auto& channel : columns->power) {
       for (std::size_t i = 0; i < size; ++i) channel[i] *= share;

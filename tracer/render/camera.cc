@@ -1,5 +1,7 @@
 #include "render/camera.h"
 
+#include <stdexcept>
+
 namespace vitrail {
 
 Ray camera_ray(const Camera& camera, const Image& image, double x, double y) {
@@ -11,7 +13,7 @@ Ray camera_ray(const Camera& camera, const Image& image, double x, double y) {
     case CameraKind::orthographic:
       return {camera.position + offset, camera.forward};
   }
-  __builtin_unreachable();
+  throw std::logic_error("no such kind of camera");
 }
 
 std::optional<ImagePoint> project(const Camera& camera, const Image& image, Vec3 point) {

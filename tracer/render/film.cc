@@ -1,5 +1,7 @@
 #include "render/film.h"
 
+#include <stdexcept>
+
 namespace vitrail {
 
 const char* name_of(Layer layer) {
@@ -17,7 +19,7 @@ const char* name_of(Layer layer) {
     case Layer::indirect_light:
       return "indirect_light";
   }
-  __builtin_unreachable();
+  throw std::logic_error("no such layer");
 }
 
 bool is_planned(Layer layer, const Plan& plan) {
@@ -35,7 +37,7 @@ bool is_planned(Layer layer, const Plan& plan) {
     case Layer::indirect_light:
       return plan.indirect_light;
   }
-  __builtin_unreachable();
+  throw std::logic_error("no such layer");
 }
 
 Rgb HalfPixel::radiance() const {

@@ -15,12 +15,13 @@ constexpr std::size_t kPhotonsPerBlock = 4096, kBlocksAtOnce = 256;
 constexpr double kSamePlace = 1.0 / 16;
 
 struct Deposit {
-  int x = -1, y = 0;
+  int x, y;
   Rgb radiance;
 };
 
-// What the pixel that sees a photon gets from it; x = -1 if none does.
-Deposit deposit_of(const Scene& scene, const FirstHitFinder& camera, const PhotonMap::Photon& photon, double radius_m) {
+// What the pixel that sees a photon gets from it, if one does.
+std::optional<Deposit> deposit_of(const Scene& scene, const FirstHitFinder& camera, const PhotonMap::Photon& photon,
+                                  double radius_m) {
   const std::optional<ImagePoint> seen = project(scene.camera, scene.image, photon.position);
   if (!seen) return {};
   const int x = static_cast<int>(std::floor(seen->x)), y = static_cast<int>(std::floor(seen->y));
@@ -32,7 +33,8 @@ Deposit deposit_of(const Scene& scene, const FirstHitFinder& camera, const Photo
   if (arrival.escaped || length(arrival.hit.point - photon.position) > kSamePlace * radius_m) return {};
   if (!(dot(arrival.event.facing_normal, photon.normal) > 0)) return {};
   const double pixels_per_m2 = seen->pixels_per_facing_m2 * hit.cosine, ratio = hit.ior_ratio;
-  return {x, y, arrival.transmittance * arrival.event.diffuse * photon.flux * (pixels_per_m2 * ratio * ratio / M_PI)};
+  return Deposit{x, y,
+                 arrival.transmittance * arrival.event.diffuse * photon.flux * (pixels_per_m2 * ratio * ratio / M_PI)};
 }
 
 }  // namespace
@@ -41,7 +43,7 @@ double deposit_in_pixels(const World& world, const PhotonMap& map, int half, con
   const std::size_t blocks = (map.size() + kPhotonsPerBlock - 1) / kPhotonsPerBlock;
   const FirstHitFinder camera(world);
   double cpu_s = 0;
-  std::vector<Deposit> deposits;
+  std::vector<std::optional<Deposit>> deposits;
   workers.monitor.begin("light_bins", blocks);
   for (std::size_t begin = 0; begin < blocks && !workers.monitor.interrupted(); begin += kBlocksAtOnce) {
     // Find the pixels of some blocks on all threads, ...
@@ -55,8 +57,8 @@ double deposit_in_pixels(const World& world, const PhotonMap& map, int half, con
     });
 
     // ... and add them up in their order on this one.
-    for (const Deposit& deposit : deposits) {
-      if (deposit.x >= 0) film.at(half, deposit.x, deposit.y)[Layer::caustic] += deposit.radiance;
+    for (const std::optional<Deposit>& deposit : deposits) {
+      if (deposit) film.at(half, deposit->x, deposit->y)[Layer::caustic] += deposit->radiance;
     }
   }
   return cpu_s;

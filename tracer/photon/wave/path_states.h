@@ -13,6 +13,9 @@ namespace vitrail {
 /// No object: the photon did not depart from any, is in air, or meets nothing.
 inline constexpr std::int32_t kNoObject = -1;
 
+/// No band yet: the photon has met no face that tells bands apart.
+inline constexpr std::int16_t kNoBand = -1;
+
 /// A side of an object: the one that a ray meets, or the one that it departed from.
 struct HitId {
   std::int32_t object = kNoObject;
@@ -29,7 +32,7 @@ struct HitId {
 struct DiscreteState {
   std::int32_t departed_face = 0;
   std::int32_t medium = kNoObject;  // the one solid it is in
-  std::int16_t band = -1;           // -1 before the first face that tells bands apart
+  std::int16_t band = kNoBand;
   std::int16_t reflections = 0, transmissions = 0;
 
   Depth depth() const { return {reflections, transmissions}; }

@@ -35,9 +35,15 @@ PhotonWave::PhotonWave(const PhotonPass& pass, std::uint32_t target, Stream stre
       lanes_(std::make_unique<DielectricLanes>()) {
   for (std::uint32_t i = 0; i < scene_.objects.size(); ++i) {
     const Material& material = scene_.material_of(i);
-    faces_.push_back({&material, material.reflection + material.transmission, material.transmits(),
-                      !is_black(material.reflection), is_sheet(scene_.objects[i].shape), can_be_diffuse(material),
-                      is_dispersive(scene_, i), !is_black(material.absorption_per_m), scene_.objects[i].priority});
+    faces_.push_back({.material = &material,
+                      .pool = material.reflection + material.transmission,
+                      .transmits = material.transmits(),
+                      .mirrors = !is_black(material.reflection),
+                      .is_sheet = is_sheet(scene_.objects[i].shape),
+                      .stores = can_be_diffuse(material),
+                      .disperses = is_dispersive(scene_, i),
+                      .absorbs = !is_black(material.absorption_per_m),
+                      .priority = scene_.objects[i].priority});
     anything_absorbs_ = anything_absorbs_ || faces_.back().absorbs;
   }
 }
@@ -129,7 +135,7 @@ void PhotonWave::follow_generally(std::size_t lane) {
   }
   if (state.medium != kNoObject) path.media.enter(static_cast<std::uint32_t>(state.medium));
   path.weight = now_.flux(lane);
-  path.band_chosen = state.band >= 0;
+  path.band_chosen = state.band != kNoBand;
   path.band = path.band_chosen ? static_cast<std::uint32_t>(state.band) : 0;
   path.depth = state.depth();
   tree_.follow(photon);

@@ -1,6 +1,12 @@
 #pragma once
-/// The quick way to follow photons: many at once, in scenes of few objects where a photon is in air or in one glass.
-/// What is not that plain - faces that coincide, nested glass - goes to the general way, photon by photon.
+/// The fast strategy: many photons at once, in small scenes where a photon is in air or in one glass. Photons in any
+/// other situation (coincident faces, nested glass) go to PhotonTree one by one.
+///
+/// For readers of pbrt: this is wavefront path tracing with exact splitting in place of Russian roulette. `now_` is the
+/// ray queue. One `step` intersects up to 256 of its rays with every object, then sorts them into groups by what they
+/// met; `arrive` handles one group: it finds points and normals, refracts all its rays, divides the flux by Fresnel,
+/// stores what is diffuse, and appends reflected and refracted rays to `next_`. The two queues are swapped until no ray
+/// is left. All quantities are columns of doubles, so each of these stages is a loop that becomes vector instructions.
 
 #include <memory>
 #include <vector>
@@ -38,13 +44,19 @@ class PhotonWave {
     std::size_t count = 0;
     std::array<std::uint32_t, RayChunk::kCapacity> lane;  // in `now_`
     std::array<std::int32_t, RayChunk::kCapacity> face;
-    std::array<std::int16_t, RayChunk::kCapacity> band;                       // -1: not yet chosen
+    std::array<std::int16_t, RayChunk::kCapacity> band;                       // or kNoBand
     alignas(64) std::array<std::array<double, RayChunk::kCapacity>, 3> flux;  // what arrives
     SurfaceLanes at;                                                          // with the normal against the photon
 
     Rgb flux_of(std::size_t i) const { return {flux[0][i], flux[1][i], flux[2][i]}; }
     Vec3 point_of(std::size_t i) const { return {at.point[0][i], at.point[1][i], at.point[2][i]}; }
     Vec3 normal_of(std::size_t i) const { return {at.normal[0][i], at.normal[1][i], at.normal[2][i]}; }
+  };
+
+  // Those of a group that go on along one lobe.
+  struct Survivors {
+    std::array<std::uint16_t, RayChunk::kCapacity> lane;  // in the group
+    std::size_t count = 0;
   };
 
   const Face& face_of(const Group& group) const { return faces_[static_cast<std::size_t>(group.met.object)]; }
@@ -59,8 +71,9 @@ class PhotonWave {
   void find_lobes(const Group& group);
   void store(const Group& group, std::size_t i);
   void end(const Group& group);
-  void send(const Group& group, const std::array<DielectricLanes::Column, 3>& direction,
-            const std::array<DielectricLanes::Column, 3>& flux, bool passes);
+  void choose_survivors(const Group& group, Lobe lobe, Survivors& survivors);
+  Lobe lobe_of(const Group& group, Lobe lobe, std::size_t i) const;
+  void send(const Group& group, Lobe lobe);
 
   const PhotonPass& pass_;
   const Scene& scene_;

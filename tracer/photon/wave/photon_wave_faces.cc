@@ -73,7 +73,7 @@ void PhotonWave::divide_by_band(Group& group) {
   for (std::size_t b = 0; b < scene_.bands.size(); ++b) {
     const Rgb weight = scene_.bands[b].weight;
     for (std::size_t i = 0; i < group.count; ++i) {
-      const bool chosen = band[i] >= 0;
+      const bool chosen = band[i] != kNoBand;
       group.band[i] = static_cast<std::int16_t>(b);
       const bool takes_part = !chosen || band[i] == group.band[i];
       for (int c = 0; c < 3; ++c) group.flux[c][i] = takes_part ? flux[c][i] * (chosen ? 1 : weight[c]) : 0;
@@ -96,7 +96,7 @@ void PhotonWave::find_lobes(const Group& group) {
 
   // The index on the arriving side, and behind the face; an opaque mirror has its own.
   for (std::size_t i = 0; i < group.count; ++i) {
-    const std::size_t band = group.band[i] < 0 ? 0 : static_cast<std::size_t>(group.band[i]);
+    const std::size_t band = group.band[i] == kNoBand ? 0 : static_cast<std::size_t>(group.band[i]);
     const double own = material.ior_by_band[band], own_minus_one = material.ior_minus_one_by_band[band];
     const bool leaves = face.transmits && !group.met.entering;
     lanes.ior_from[i] = leaves ? own : 1;
@@ -141,9 +141,9 @@ void PhotonWave::divide(const Group& group) {
   for (std::size_t i = 0; i < group.count; ++i) any_total = any_total | (lanes.radicand[i] < 0);
   if (face.mirrors || by_fresnel || any_total) {
     reflect(*lanes_);
-    send(group, lanes.mirrored, mirrored_, false);
+    send(group, Lobe::reflection);
   }
-  if (glass) send(group, lanes.refracted, refracted_, true);
+  if (glass) send(group, Lobe::transmission);
   end(group);
 }
 
@@ -168,43 +168,52 @@ void PhotonWave::end(const Group& group) {
   block_.ledger.absorbed += absorbed;
 }
 
-// Let the branches with enough flux and depth left join the next generation, column by column.
-void PhotonWave::send(const Group& group, const std::array<DielectricLanes::Column, 3>& direction,
-                      const std::array<DielectricLanes::Column, 3>& flux, bool passes) {
-  std::array<std::uint16_t, DielectricLanes::kCapacity> kept;
-  std::size_t count = 0;
+// Choose the branches with enough flux and depth left; the others are truncated.
+void PhotonWave::choose_survivors(const Group& group, Lobe lobe, Survivors& survivors) {
+  const auto& flux = lobe == Lobe::transmission ? refracted_ : mirrored_;
   const double* const least = std::as_const(now_).least_column();
-  const bool sends_back = face_of(group).transmits && !scene_.paper.tir_drop;
-  const auto lobe = [&](std::size_t i) {
-    if (passes) return Lobe::transmission;
-    return sends_back && lanes_->radicand[i] < 0 ? Lobe::total_internal_reflection : Lobe::reflection;
-  };
+  survivors.count = 0;
   for (std::size_t i = 0; i < group.count; ++i) {
     const Rgb share{flux[0][i], flux[1][i], flux[2][i]};
     const double largest = largest_channel(share);
-    const Depth depth = now_.state(group.lane[i]).depth().after(lobe(i));
+    const Depth depth = now_.state(group.lane[i]).depth().after(lobe_of(group, lobe, i));
     const bool goes_on = largest >= least[group.lane[i]] && scene_.within_depth(depth);
-    kept[count] = static_cast<std::uint16_t>(i);
-    count += goes_on && largest > 0;
+    survivors.lane[survivors.count] = static_cast<std::uint16_t>(i);
+    survivors.count += goes_on && largest > 0;
     if (!goes_on) block_.ledger.truncated += share;
   }
+}
 
-  const std::size_t first = next_.add_empty(count);
+// The lobe of one lane: what a dielectric interface reflects is total internal reflection where nothing is refracted.
+Lobe PhotonWave::lobe_of(const Group& group, Lobe lobe, std::size_t i) const {
+  const bool may_be_total = lobe == Lobe::reflection && face_of(group).transmits && !scene_.paper.tir_drop;
+  return may_be_total && lanes_->radicand[i] < 0 ? Lobe::total_internal_reflection : lobe;
+}
+
+// Let the branches of one lobe join the next generation, column by column.
+void PhotonWave::send(const Group& group, Lobe lobe) {
+  const bool passes = lobe == Lobe::transmission;
+  const auto& direction = passes ? lanes_->refracted : lanes_->mirrored;
+  const auto& flux = passes ? refracted_ : mirrored_;
+  Survivors kept;
+  choose_survivors(group, lobe, kept);
+  const std::size_t first = next_.add_empty(kept.count);
   for (int a = 0; a < 3; ++a) {
     double *const origin_to = next_.origin(a) + first, *const direction_to = next_.direction(a) + first;
     double* const flux_to = next_.flux_column(a) + first;
-    for (std::size_t k = 0; k < count; ++k) {
-      origin_to[k] = group.at.point[a][kept[k]];
-      direction_to[k] = direction[a][kept[k]];
-      flux_to[k] = flux[a][kept[k]];
+    for (std::size_t k = 0; k < kept.count; ++k) {
+      origin_to[k] = group.at.point[a][kept.lane[k]];
+      direction_to[k] = direction[a][kept.lane[k]];
+      flux_to[k] = flux[a][kept.lane[k]];
     }
   }
   const HitId departed{group.met.object, group.met.entering == passes};
   const std::int32_t medium = group.met.entering ? group.met.object : kNoObject;
-  for (std::size_t k = 0; k < count; ++k) {
-    const std::size_t i = kept[k], from = group.lane[i];
+  const double* const least = std::as_const(now_).least_column();
+  for (std::size_t k = 0; k < kept.count; ++k) {
+    const std::size_t i = kept.lane[k], from = group.lane[i];
     DiscreteState state = now_.state(from);
-    state.set_depth(state.depth().after(lobe(i)));
+    state.set_depth(state.depth().after(lobe_of(group, lobe, i)));
     if (passes) state.medium = medium;
     state.departed_face = group.face[i];
     state.band = group.band[i];
