@@ -4,6 +4,22 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+
+// For readers of pbrt: this is the photon map of [J96], not that of progressive photon mapping (pbrt's SPPM stores the
+// camera's visible points and streams photons past them). Photons are stored and sorted once, then the camera asks for
+// irradiance at points.
+//
+// The grid is uniform and hashed. A cell is as wide as the gather disc's reach across rows and half of that along them,
+// so a query touches 3 x 3 rows of cells. A row's cells have consecutive bucket numbers, and photons are sorted by
+// bucket, so a query reads nine contiguous runs of the sorted arrays, whatever lies in them: no tree, no pointers, no
+// priority queue. Photons of far cells that share a bucket are rejected by their distance. `choose_lattice` picks a
+// dense grid where the photons fill a compact box, and a hash with odd strides otherwise; `rows_stay_apart` ensures
+// that the nine runs never overlap, so that no photon counts twice.
+//
+// The sort is a radix sort of two passes: into at most 2^8 partitions by the leading bits of the bucket, then each
+// partition by counting. Each pass writes to few enough places at a time to stay in the cache, and both are stable, so
+// the order of photons, and with it every sum, depends on the order of emission alone.
+
 namespace vitrail {
 namespace {
 

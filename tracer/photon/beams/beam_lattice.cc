@@ -8,6 +8,18 @@
 #include "material/roughen.h"
 #include "photon/photon_tree.h"
 
+// For readers of pbrt: there is no counterpart. A photon map estimates irradiance as flux of random photons over the
+// area of a disc; here the rays are neighbours on a lattice, and irradiance is the known flux between three of them
+// over the area of the triangle that they enclose where they land [Heckbert and Hanrahan 1984; Watt 1990]: no kernel,
+// no noise.
+//
+// This holds while the three rays have the same path signature: the same faces and lobes. The tracer therefore follows
+// each lattice ray through all its branches (PhotonTree), keeps where every branch lands and under which signature, and
+// joins the landings of a cell's two triangles signature by signature. Where a signature is missing at a corner - the
+// silhouette of a lens, the critical angle - the triangle is cut in four and the midpoints are traced; after
+// `halvings_` cuts what remains is counted as truncated. The flux between the rays is never estimated: a triangle's
+// share of the chart times the power that each corner would carry if the whole chart were like it.
+
 namespace vitrail {
 namespace {
 

@@ -6,6 +6,11 @@
 #include <limits>
 #include <tuple>
 
+// A bounding volume hierarchy over triangles, asked with points in place of rays: which beams cover this place? The
+// tree is complete and implicit (the children of node k are 2k and 2k + 1), built bottom-up over beams in Morton order,
+// so it needs no pointers and no partitioning. Beams of one size are kept together first, since one wide beam would
+// widen the boxes of all its neighbours.
+
 namespace vitrail {
 namespace {
 
