@@ -125,3 +125,10 @@ def test_a_rendering_that_takes_too_long_is_ended_and_says_so(tmp_path: Path) ->
     program = fake(tmp_path, "time.sleep(60)").program
     with pytest.raises(EngineFailure, match="it was stopped after 1 s"):
         Tracer(program, timeout_s=0.7).render(LOWERED, tmp_path / "out")
+
+
+def test_a_ray_that_ctrl_c_stopped_is_no_broken_answer(tmp_path: Path) -> None:
+    # The program presses Ctrl-C for us, and ends as the tracer does when it is passed on.
+    code = "signal.signal(2, lambda *rest: sys.exit(130)); os.kill(os.getppid(), 2); time.sleep(10)"
+    with pytest.raises(KeyboardInterrupt):
+        fake(tmp_path, code).trace(LOWERED, [])

@@ -5,16 +5,15 @@ from __future__ import annotations
 import hashlib
 from functools import cache
 from pathlib import Path
-from typing import Literal
 
+from vitrail.base.engine_name import EngineName
 from vitrail.engines.base import Engine
-from vitrail.engines.povray import Povray
-from vitrail.engines.tracer import Tracer
+from vitrail.engines.installed import engine_named
 
 
-def engine_build(engine: Literal["tracer", "povray"]) -> str:
+def engine_build(engine: EngineName) -> str:
     """The build of the installed engine, such as ``vitrail-tracer 0.1.0 (3f2a9c81d0e4)``."""
-    return build_of(Tracer() if engine == "tracer" else Povray())
+    return build_of(engine_named(engine))
 
 
 def build_of(engine: Engine) -> str:

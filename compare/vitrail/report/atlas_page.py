@@ -7,13 +7,14 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
+from vitrail.base.engine_name import EngineName
 from vitrail.base.whole_file import write_whole
 from vitrail.report.charts import LogAxis
 from vitrail.report.environment import chart, text
 from vitrail.report.page import number
 from vitrail.report.study_page import write_study_page
 from vitrail.study.extremes.atlas import STACKS
-from vitrail.study.extremes.axis import ENGINES, AtlasEngine
+from vitrail.study.extremes.axis import ENGINES
 from vitrail.study.extremes.records import Atlas, AtlasAxis, AtlasReading, EngineRange
 
 WIDTH, HEIGHT = 720.0, 150.0
@@ -45,7 +46,7 @@ def finding(atlas: Atlas) -> str:
     return text("atlas_finding.md", atlas=atlas).rstrip("\n")
 
 
-def limit_words(axis: AtlasAxis, engine: AtlasEngine) -> str:
+def limit_words(axis: AtlasAxis, engine: EngineName) -> str:
     """The first failing value, or the last one tried, with its unit."""
     found = axis.engines[engine]
     unit = "" if axis.unit == "1" else f" {axis.unit}"
@@ -93,7 +94,7 @@ class DigitsChart:
     height: float
     ticks: list[Mark]
     digits: list[Mark]
-    engines: dict[AtlasEngine, DigitsLine]
+    engines: dict[EngineName, DigitsLine]
 
 
 def _view(axis: AtlasAxis) -> DigitsChart:

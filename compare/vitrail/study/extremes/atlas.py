@@ -6,13 +6,14 @@ import math
 from collections.abc import Sequence
 from pathlib import Path
 
+from vitrail.base.engine_name import EngineName
 from vitrail.base.progress import Progress, silent
 from vitrail.base.record import JsonObject, write_record
 from vitrail.base.whole_file import write_whole
 from vitrail.engines.engine_build import engine_build
 from vitrail.pipeline.campaign import Campaign, run_campaign
 from vitrail.pipeline.task import Row, Task
-from vitrail.study.extremes.axis import ENGINES, AtlasEngine, Axis
+from vitrail.study.extremes.axis import ENGINES, Axis
 from vitrail.study.extremes.ball_axes import BALL_AXES
 from vitrail.study.extremes.incidence_axes import INCIDENCE_AXES
 from vitrail.study.extremes.index_axes import INDEX_AXES
@@ -50,7 +51,7 @@ def run_atlas(out: Path, *, jobs: int = 1, axes: Sequence[Axis] = AXES, progress
 def measure_range(spec: JsonObject) -> tuple[JsonObject, JsonObject]:
     """The work of one task: walk the axis in the engine and bisect to the first failing value."""
     axis = next(axis for axis in AXES if axis.name == spec["axis"])
-    between = whole if axis.whole else binary if axis.is_binary and spec["engine"] == "tracer" else geometric
+    between = whole if axis.whole else binary if axis.is_binary and spec["engine"] == EngineName.TRACER else geometric
     found = find_limit(list(axis.values), probe_of(axis, spec["engine"]), between)
     return _measured_range(found).model_dump(mode="json"), {}
 
@@ -103,7 +104,7 @@ def _atlas_axis(axis: Axis, rows: Sequence[Row]) -> AtlasAxis:
     )
 
 
-def _engine_range(axis: Axis, engine: AtlasEngine, row: Row) -> EngineRange:
+def _engine_range(axis: Axis, engine: EngineName, row: Row) -> EngineRange:
     """One engine's range, with what the axis knows of it."""
     return EngineRange(
         **dict(MeasuredRange.model_validate(row.result or {})),

@@ -8,14 +8,15 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Literal, get_args
+from typing import Literal
 
 import numpy as np
 
+from vitrail.base.engine_name import EngineName
 from vitrail.base.record import JsonObject
 
-AtlasEngine = Literal["tracer", "povray"]
-ENGINES: tuple[AtlasEngine, ...] = get_args(AtlasEngine)
+ENGINES = tuple(EngineName)
+TRACER, POVRAY = ENGINES
 
 
 @dataclass(frozen=True)
@@ -55,7 +56,7 @@ class Axis:
     scene: Callable[[float], str]
     sdl: Callable[[float], str]
     expected: Callable[[float], float]
-    tolerance: dict[AtlasEngine, Tolerance]
+    tolerance: dict[EngineName, Tolerance]
     read: Callable[[np.ndarray, float], float] = lambda image, value: float(np.mean(image))
     ray: Callable[[float], Ray] | None = None
     ledger: Callable[[JsonObject], float] | None = None
@@ -63,4 +64,4 @@ class Axis:
     is_binary: bool = False
     pixels: int = 4
     photons: int = 0
-    limit: dict[AtlasEngine, str] = field(default_factory=dict)
+    limit: dict[EngineName, str] = field(default_factory=dict)

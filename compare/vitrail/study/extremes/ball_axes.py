@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from vitrail.base.record import JsonObject
-from vitrail.study.extremes.axis import Axis, Ray, Tolerance
+from vitrail.study.extremes.axis import POVRAY, TRACER, Axis, Ray, Tolerance
 from vitrail.study.extremes.sdl_text import CLEAR, FRESNEL, header, orthographic
 from vitrail.study.extremes.search import walk
 
@@ -59,8 +59,8 @@ TRANSLATION = Axis(
     sdl=_moved_sdl,
     expected=lambda offset: float("nan"),  # the reading at the first value
     tolerance={
-        "tracer": Tolerance(1e-9, "the ray is followed relative to the ball; 1e-9 leaves seven of sixteen digits"),
-        "povray": Tolerance(0.01, "half floats read the gradient to 5e-4"),
+        TRACER: Tolerance(1e-9, "the ray is followed relative to the ball; 1e-9 leaves seven of sixteen digits"),
+        POVRAY: Tolerance(0.01, "half floats read the gradient to 5e-4"),
     },
     read=lambda image, offset: float(np.mean(image)),
     ray=lambda offset: Ray((offset + OFF_AXIS, 0.0, 3.0), (0.0, 0.0, -1.0), _slope),
@@ -105,10 +105,10 @@ FURNACE = Axis(
     sdl=_furnace_sdl,
     expected=lambda ior: 1.0,
     tolerance={
-        "tracer": Tolerance(
+        TRACER: Tolerance(
             1e-3, "branches below 1e-6 of the pixel are cut, and 1000 reflections: 8e-4 together at worst"
         ),
-        "povray": Tolerance(2e-3, "half floats round to 5e-4; what 256 levels leave inside is 1 / (256 e) = 1.4e-3"),
+        POVRAY: Tolerance(2e-3, "half floats round to 5e-4; what 256 levels leave inside is 1 / (256 e) = 1.4e-3"),
     },
     pixels=2,
 )

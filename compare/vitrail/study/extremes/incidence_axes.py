@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from vitrail.study.extremes.axis import Axis, Ray, Tolerance
+from vitrail.study.extremes.axis import POVRAY, TRACER, Axis, Ray, Tolerance
 from vitrail.study.extremes.index_axes import N_GLASS, half_space
 from vitrail.study.extremes.sdl_text import CLEAR, FRESNEL, glowing_plane, header, orthographic
 from vitrail.study.extremes.search import walk
@@ -47,15 +47,15 @@ GRAZING = Axis(
     sdl=_grazing_sdl,
     expected=lambda elevation: 1.0,
     tolerance={
-        "tracer": Tolerance(1e-9, "T is formed directly; the sine of the elevation is a double, 1e-9 leaves margin"),
-        "povray": Tolerance(0.01, "half floats round to 5e-4, the lamp is brightened by 1/T"),
+        TRACER: Tolerance(1e-9, "T is formed directly; the sine of the elevation is a double, 1e-9 leaves margin"),
+        POVRAY: Tolerance(0.01, "half floats round to 5e-4, the lamp is brightened by 1/T"),
     },
     ray=lambda elevation: Ray(
         (-_grazing(elevation)[0], 0.0, _grazing(elevation)[1]),
         (_grazing(elevation)[0], 0.0, -_grazing(elevation)[1]),
         lambda vertices: float(vertices[0]["T"]) / _grazing_share(elevation),
     ),
-    limit={"povray": "T is formed as 1 - R, which has lost its digits"},
+    limit={POVRAY: "T is formed as 1 - R, which has lost its digits"},
 )
 
 
@@ -109,15 +109,15 @@ CRITICAL = Axis(
     sdl=_critical_sdl,
     expected=lambda below: 1.0,
     tolerance={
-        "tracer": Tolerance(0.01, "a sine is a double: cos_t is known to u / (2 eps), 6e-5 at 1e-12 [O 2.7]"),
-        "povray": Tolerance(0.01, "half floats round to 5e-4, the lamp is brightened by 1/T"),
+        TRACER: Tolerance(0.01, "a sine is a double: cos_t is known to u / (2 eps), 6e-5 at 1e-12 [O 2.7]"),
+        POVRAY: Tolerance(0.01, "half floats round to 5e-4, the lamp is brightened by 1/T"),
     },
     ray=lambda below: Ray(
         (-_critical(below)[0], 0.0, -_critical(below)[1]),
         (_critical(below)[0], 0.0, _critical(below)[1]),
         lambda vertices: float(vertices[0]["T"]) / _critical_share(below),
     ),
-    limit={"povray": "the sine is rounded on the way"},
+    limit={POVRAY: "the sine is rounded on the way"},
 )
 
 INCIDENCE_AXES = (GRAZING, CRITICAL)

@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from vitrail.base.record import JsonObject
-from vitrail.study.extremes.axis import Axis, Ray, Tolerance
+from vitrail.study.extremes.axis import POVRAY, TRACER, Axis, Ray, Tolerance
 from vitrail.study.extremes.sdl_text import CLEAR, header, orthographic
 from vitrail.study.extremes.search import walk
 
@@ -79,12 +79,12 @@ INDEX_TO_ONE = Axis(
     sdl=_near_one_sdl,
     expected=_straightness,
     tolerance={
-        "tracer": Tolerance(0.01, "n itself is a double: n - 1 is known to 2e-4 at 1e-12"),
-        "povray": Tolerance(0.01, "half floats read the gradient to 5e-4 of 4 deflections"),
+        TRACER: Tolerance(0.01, "n itself is a double: n - 1 is known to 2e-4 at 1e-12"),
+        POVRAY: Tolerance(0.01, "half floats read the gradient to 5e-4 of 4 deflections"),
     },
     read=lambda image, excess: (1 - float(np.mean(image))) * 4 * _straightness(excess),
     ray=lambda excess: Ray((-1.0, 0.0, 1.0), (DIAGONAL, 0.0, -DIAGONAL), lambda v: 1 - _tangent(v)),
-    limit={"povray": "the index is stored in single precision"},
+    limit={POVRAY: "the index is stored in single precision"},
 )
 
 
@@ -103,8 +103,8 @@ INDEX_HUGE = Axis(
     sdl=lambda ior: _slant_sdl(ior, 1.0, 0.0, 2 * _tangent_in(ior)),
     expected=_tangent_in,
     tolerance={
-        "tracer": Tolerance(1e-9, "eta (d + c1 n) keeps relative digits; 1e-9 leaves seven of sixteen"),
-        "povray": Tolerance(0.01, "half floats read the gradient to 5e-4"),
+        TRACER: Tolerance(1e-9, "eta (d + c1 n) keeps relative digits; 1e-9 leaves seven of sixteen"),
+        POVRAY: Tolerance(0.01, "half floats read the gradient to 5e-4"),
     },
     read=lambda image, ior: float(np.mean(image)) * 2 * _tangent_in(ior),
     ray=lambda ior: Ray((-1.0, 0.0, 1.0), (DIAGONAL, 0.0, -DIAGONAL), _tangent),
@@ -120,12 +120,12 @@ INDEX_TINY = Axis(
     sdl=lambda ior: _steep_sdl(ior),
     expected=lambda ior: math.tan(math.asin(0.5)),
     tolerance={
-        "tracer": Tolerance(1e-9, "sin and cos of the incidence are doubles; 1e-9 leaves seven of sixteen digits"),
-        "povray": Tolerance(0.01, "half floats read the gradient to 5e-4"),
+        TRACER: Tolerance(1e-9, "sin and cos of the incidence are doubles; 1e-9 leaves seven of sixteen digits"),
+        POVRAY: Tolerance(0.01, "half floats read the gradient to 5e-4"),
     },
     read=lambda image, ior: 2 * float(np.mean(image)),
     ray=lambda ior: Ray((-ior / 2, 0.0, math.sqrt(1 - ior**2 / 4)), _steep(ior), _tangent),
-    limit={"povray": "sines below 3e-8 are lost, as they are when formed from a cosine"},
+    limit={POVRAY: "sines below 3e-8 are lost, as they are when formed from a cosine"},
 )
 
 

@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from vitrail.base.record import JsonObject
-from vitrail.study.extremes.axis import Axis, Tolerance
+from vitrail.study.extremes.axis import POVRAY, TRACER, Axis, Tolerance
 from vitrail.study.extremes.sdl_text import CLEAR, header, orthographic
 from vitrail.study.extremes.search import walk
 
@@ -65,12 +65,12 @@ OFFSET = Axis(
     sdl=lambda offset: _projected_sdl(1.0, offset),
     expected=lambda offset: float("nan"),  # the reading at the first value
     tolerance={
-        "tracer": Tolerance(1e-5, "the same photons; a few may cross the edge of a kernel by rounding"),
-        "povray": Tolerance(0.1, PHOTON_NOISE),
+        TRACER: Tolerance(1e-5, "the same photons; a few may cross the edge of a kernel by rounding"),
+        POVRAY: Tolerance(0.1, PHOTON_NOISE),
     },
     read=_worst_pixel,
     photons=20_000,
-    limit={"povray": "photon positions are single precision: 1/16 m is lost at about 1e6 m"},
+    limit={POVRAY: "photon positions are single precision: 1/16 m is lost at about 1e6 m"},
 )
 
 
@@ -84,13 +84,13 @@ PHOTON_FLUX = Axis(
     sdl=lambda flux: _projected_sdl(math.pi * flux / SPACING**2),
     expected=lambda flux: float("nan"),  # the reading at the first value
     tolerance={
-        "tracer": Tolerance(0.0, "powers of two are exact, in the photons and in the image"),
-        "povray": Tolerance(0.02, "a photon's colour has eight bits, the image eleven"),
+        TRACER: Tolerance(0.0, "powers of two are exact, in the photons and in the image"),
+        POVRAY: Tolerance(0.02, "a photon's colour has eight bits, the image eleven"),
     },
     read=lambda image, flux: float(np.mean(image, dtype=float)) / flux,
     is_binary=True,
     photons=20_000,
-    limit={"povray": "photon colours are four bytes with a shared exponent that ends at 32"},
+    limit={POVRAY: "photon colours are four bytes with a shared exponent that ends at 32"},
 )
 
 
@@ -128,14 +128,14 @@ def _radiance_axis(name: str, quantity: str, factor: float) -> Axis:
         sdl=_card_sdl,
         expected=lambda irradiance: float("nan"),  # the reading at the first value
         tolerance={
-            "tracer": Tolerance(0.0, "powers of two are exact, in the image too"),
-            "povray": Tolerance(1e-3, "half floats round to 5e-4"),
+            TRACER: Tolerance(0.0, "powers of two are exact, in the image too"),
+            POVRAY: Tolerance(1e-3, "half floats round to 5e-4"),
         },
         read=lambda image, irradiance: float(np.mean(image, dtype=float)) / irradiance,
         is_binary=True,
         limit={
-            "tracer": "images are single precision: 3.4e38 is the largest, 1.2e-38 the smallest full number",
-            "povray": "half floats end at 65504, and lose digits below 6e-5",
+            TRACER: "images are single precision: 3.4e38 is the largest, 1.2e-38 the smallest full number",
+            POVRAY: "half floats end at 65504, and lose digits below 6e-5",
         },
     )
 
@@ -201,15 +201,15 @@ LEDGER = Axis(
     sdl=_deep_sdl,
     expected=lambda panes: float("nan"),  # the reading at one pane
     tolerance={
-        "tracer": Tolerance(1e-9, "the ledger adds 1e5 doubles: 1e-11 of rounding"),
-        "povray": Tolerance(0.1, PHOTON_NOISE),
+        TRACER: Tolerance(1e-9, "the ledger adds 1e5 doubles: 1e-11 of rounding"),
+        POVRAY: Tolerance(0.1, PHOTON_NOISE),
     },
     ledger=_accounted,
     photons=20_000,
     whole=True,
     limit={
-        "tracer": "`transport.max_transmissions` may be at most 1000, two a pane; what is cut is booked as truncated",
-        "povray": "the program itself crashes on photons so deep, below the 256 levels that it allows",
+        TRACER: "`transport.max_transmissions` may be at most 1000, two a pane; what is cut is booked as truncated",
+        POVRAY: "the program itself crashes on photons so deep, below the 256 levels that it allows",
     },
 )
 

@@ -18,14 +18,14 @@ from vitrail.pipeline.task import TIMEOUT_S
 from vitrail.plan.analyse import everything
 from vitrail.plan.settings import Quality
 from vitrail.scene.load import load_text
-from vitrail.study.extremes.axis import AtlasEngine, Axis
+from vitrail.study.extremes.axis import Axis
 from vitrail.study.extremes.search import Reading
 
 MOST_VERTICES = 1200
 """More than a path may have: 1000 transmissions and what it ends on."""
 
 
-def probe_of(axis: Axis, engine: AtlasEngine) -> Callable[[float], Reading]:
+def probe_of(axis: Axis, engine: EngineName) -> Callable[[float], Reading]:
     """A probe for ``find_limit``; where the axis has no closed form, the first reading is the expected number."""
     measure = _MEASURES[engine]
     first: list[float] = []
@@ -71,4 +71,4 @@ def _job(axis: Axis, value: float) -> Job:
     return prepare(loaded, Quality.DRAFT, {"samples": 1, **photons}, planner=everything)
 
 
-_MEASURES: dict[AtlasEngine, Callable[[Axis, float], float]] = {"tracer": _tracer, "povray": _povray}
+_MEASURES: dict[EngineName, Callable[[Axis, float], float]] = {EngineName.TRACER: _tracer, EngineName.POVRAY: _povray}

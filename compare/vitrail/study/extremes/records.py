@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Literal
 
+from vitrail.base.engine_name import EngineName
 from vitrail.base.record import Record
-from vitrail.study.extremes.axis import AtlasEngine
 
 Number = int | float
 """A value along an axis; a whole number stays one."""
@@ -65,7 +65,7 @@ class AtlasAxis(Record):
     invariant: str
     first: Number
     last: Number
-    engines: dict[AtlasEngine, EngineRange]
+    engines: dict[EngineName, EngineRange]
 
 
 class Atlas(Record):
@@ -74,7 +74,7 @@ class Atlas(Record):
     vitrail_atlas: Literal[1] = 1
     axes: tuple[AtlasAxis, ...]
 
-    def held(self, engine: AtlasEngine) -> int:
+    def held(self, engine: EngineName) -> int:
         """How many quantities an engine holds to the last value tried."""
         found = [axis.engines[engine] for axis in self.axes]
         return sum(each.failure is None and each.first_failing is None for each in found)

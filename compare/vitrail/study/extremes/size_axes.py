@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from vitrail.base.record import JsonObject
-from vitrail.study.extremes.axis import Axis, Ray, Tolerance
+from vitrail.study.extremes.axis import POVRAY, TRACER, Axis, Ray, Tolerance
 from vitrail.study.extremes.sdl_text import CLEAR, glowing_plane, header, orthographic
 from vitrail.study.extremes.search import walk
 
@@ -53,11 +53,11 @@ THICKNESS = Axis(
     sdl=_pane_sdl,
     expected=lambda thickness: 0.25,
     tolerance={
-        "tracer": Tolerance(0.0, "two products by 1/2 are exact"),
-        "povray": Tolerance(0.01, HALF_FLOAT),
+        TRACER: Tolerance(0.0, "two products by 1/2 are exact"),
+        POVRAY: Tolerance(0.01, HALF_FLOAT),
     },
     ray=lambda thickness: Ray((0.01, 0.02, -10.0), (0.0, 0.0, 1.0), last_throughput),
-    limit={"povray": "a face within 1e-4 units of the one just left is taken for it"},
+    limit={POVRAY: "a face within 1e-4 units of the one just left is taken for it"},
 )
 
 # --- size -----------------------------------------------------------------------------------------------------------
@@ -108,13 +108,13 @@ def _size_axis(name: str, quantity: str, factor: float, povray_limit: str) -> Ax
         sdl=_ball_sdl,
         expected=lambda radius: float("nan"),  # the reading at the first value
         tolerance={
-            "tracer": Tolerance(0.0, "powers of two are exact in binary arithmetic"),
-            "povray": Tolerance(1e-3, "half floats round to 5e-4; a missing part of the ball is far more"),
+            TRACER: Tolerance(0.0, "powers of two are exact in binary arithmetic"),
+            POVRAY: Tolerance(1e-3, "half floats round to 5e-4; a missing part of the ball is far more"),
         },
         read=_mean_of_channels,
         is_binary=True,
         pixels=32,
-        limit={"povray": povray_limit},
+        limit={POVRAY: povray_limit},
     )
 
 
@@ -166,13 +166,13 @@ DEPTH = Axis(
     sdl=_stack_sdl,
     expected=lambda panes: 1.0,
     tolerance={
-        "tracer": Tolerance(0.0, "products by 1 are exact"),
-        "povray": Tolerance(1e-3, "half floats round to 5e-4"),
+        TRACER: Tolerance(0.0, "products by 1 are exact"),
+        POVRAY: Tolerance(1e-3, "half floats round to 5e-4"),
     },
     whole=True,
     limit={
-        "tracer": "`transport.max_transmissions` may be at most 1000, two a pane; what is cut is booked as truncated",
-        "povray": "`max_trace_level` is capped at 256, two a pane and one for what is behind",
+        TRACER: "`transport.max_transmissions` may be at most 1000, two a pane; what is cut is booked as truncated",
+        POVRAY: "`max_trace_level` is capped at 256, two a pane and one for what is behind",
     },
 )
 

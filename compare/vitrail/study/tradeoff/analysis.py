@@ -9,10 +9,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from vitrail.base.engine_name import EngineName
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.pipeline.task import Row
 from vitrail.study.statistics import Estimate, Setting, cost_of_error, error_at_cost, knee, pareto_front
-from vitrail.study.tradeoff.knobs import ENGINES, EngineName, Knobs, KnobValue
+from vitrail.study.tradeoff.knobs import ENGINES, Knobs, KnobValue
 from vitrail.study.tradeoff.orders import orders_of
 from vitrail.study.tradeoff.records import (
     EngineFront,
@@ -176,14 +177,14 @@ def _price(front: Sequence[Setting], target: float, own_error: float | None) -> 
 
 def _equal_error(engines: Mapping[EngineName, EngineFront], target: float) -> EqualError:
     prices = {engine: front.price_s[str(target)] for engine, front in engines.items()}
-    tracer, povray = prices.get("tracer"), prices.get("povray")
+    tracer, povray = prices.get(EngineName.TRACER), prices.get(EngineName.POVRAY)
     ratio = _ratio(povray.cpu_s, tracer.cpu_s) if povray and tracer else None
     return EqualError(target=target, tracer=tracer, povray=povray, povray_over_tracer=ratio)
 
 
 def _equal_time(engines: Mapping[EngineName, EngineFront], budget_s: float) -> EqualTime:
     errors = {engine: front.error_at_s[str(budget_s)] for engine, front in engines.items()}
-    tracer, povray = errors.get("tracer"), errors.get("povray")
+    tracer, povray = errors.get(EngineName.TRACER), errors.get(EngineName.POVRAY)
     ratio = _ratio(povray, tracer)
     return EqualTime(budget_s=budget_s, tracer=tracer, povray=povray, povray_over_tracer=ratio)
 

@@ -11,15 +11,15 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from itertools import product
-from typing import Literal, get_args
+from typing import Literal
 
+from vitrail.base.engine_name import EngineName
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.lower.povray.text.modes import mode_of
 from vitrail.pipeline.job import Job, prepare
 from vitrail.plan.plan import Plan
 from vitrail.plan.settings import Quality
 
-EngineName = Literal["tracer", "povray"]
 Extent = Literal["quick", "normal", "wide"]
 
 KnobValue = int | float | str | dict[str, int]
@@ -27,10 +27,10 @@ KnobValue = int | float | str | dict[str, int]
 
 KnobValues = Mapping[str, KnobValue]
 
-ENGINES: tuple[EngineName, ...] = get_args(EngineName)
+ENGINES = tuple(EngineName)
 
 PHOTONS: Mapping[Extent, Mapping[EngineName, tuple[int, ...]]] = {
-    "quick": {"tracer": (10_000, 100_000, 1_000_000), "povray": (10_000, 100_000)},
+    "quick": {EngineName.TRACER: (10_000, 100_000, 1_000_000), EngineName.POVRAY: (10_000, 100_000)},
     "normal": {engine: (10_000, 40_000, 160_000, 640_000, 2_560_000) for engine in ENGINES},
     "wide": {engine: (10_000, 40_000, 160_000, 640_000, 2_560_000, 10_240_000) for engine in ENGINES},
 }
@@ -103,13 +103,13 @@ def _main(plan: Plan, radius_m: float, extent: Extent, engine: EngineName) -> li
     if not plan.requires(Phenomenon.CAUSTIC):
         return [({"samples": samples}, {}) for samples in SAMPLES[extent]]
     photons, radii = PHOTONS[extent][engine], RADII[extent]
-    usual: KnobValues = {"samples": 1} | ({"solver": "photon_map"} if engine == "tracer" else {})
+    usual: KnobValues = {"samples": 1} | ({"solver": "photon_map"} if engine is EngineName.TRACER else {})
     found: list[Point] = [
         ({**usual, "photons": n, "gather_radius_m": radius_m * share}, {}) for n, share in product(photons, radii)
     ]
     # The smallest disc is narrower than a pixel: give it pixels to match.
     found += [({**usual, "photons": n, "gather_radius_m": radius_m * min(radii)}, _larger(2)) for n in photons]
-    if engine == "tracer":
+    if engine is EngineName.TRACER:
         bins = product(photons, SCALES[extent])
         found += [({"samples": 1, "photons": n, "solver": "light_bins"}, _larger(scale)) for n, scale in bins]
         # Beams end below every other error long before the most photons, and their rays are dear.
@@ -146,7 +146,7 @@ def _around(middle: KnobValues, usual: Job, extent: Extent, engine: EngineName) 
     if not plan.chain.proven:
         wish = "max_reflections" if plan.requires(Phenomenon.REFLECTION) else "max_transmissions"
         yield from ((middle, {wish: depth}) for depth in DEPTHS if depth != own[wish])
-    if engine == "povray":
+    if engine is EngineName.POVRAY:
         yield from (({**middle, "reference_mode": mode}, {}) for mode in _different_modes(usual))
 
 

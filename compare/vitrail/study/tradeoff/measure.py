@@ -11,8 +11,7 @@ from pathlib import Path
 from vitrail.base.engine_name import EngineName
 from vitrail.base.record import JsonObject
 from vitrail.engines.base import Rendering
-from vitrail.engines.povray import Povray
-from vitrail.engines.tracer import Tracer
+from vitrail.engines.installed import engine_named
 from vitrail.images.exr import ImageLayers, read_image
 from vitrail.judge.comparison import Pair
 from vitrail.judge.observe import Observed, observe
@@ -80,7 +79,7 @@ class Measure:
 def _rendered(spec: JsonObject, loaded: Loaded, folder: Path) -> tuple[Rendering, float]:
     """One thread, so that CPU seconds are those of the work and not of waiting."""
     job = prepare(loaded, Quality.NORMAL, {**spec["settings"], "seed": spec["seed"]})
-    engine = Tracer(timeout_s=TIMEOUT_S) if spec["engine"] == EngineName.TRACER else Povray(timeout_s=TIMEOUT_S)
+    engine = engine_named(EngineName(spec["engine"]), timeout_s=TIMEOUT_S)
     return run(job, engine, folder, threads=1), job.settings.gather_radius_m
 
 

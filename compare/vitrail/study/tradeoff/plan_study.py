@@ -16,6 +16,7 @@ from pathlib import Path
 import numpy as np
 from scipy import stats
 
+from vitrail.base.engine_name import EngineName
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.base.progress import Progress, silent
 from vitrail.base.record import JsonObject, write_record
@@ -87,7 +88,12 @@ def _write(out: Path, found: Plans) -> Plans:
 def _task(loaded: Loaded) -> Task:
     """One task a scene, because its variants are compared with each other."""
     limits = {"pixels": PIXELS, "photons": PHOTONS, "final_gather_rays": FINAL_GATHER_RAYS, "repeats": REPEATS}
-    spec = {"scene": scene_hash(loaded.scene), "name": loaded.path.stem, "build": engine_build("tracer"), **limits}
+    spec = {
+        "scene": scene_hash(loaded.scene),
+        "name": loaded.path.stem,
+        "build": engine_build(EngineName.TRACER),
+        **limits,
+    }
     return Task("variants", spec)
 
 

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from vitrail.base.engine_name import EngineName
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.base.progress import Progress, silent
 from vitrail.base.record import write_record
@@ -16,7 +17,7 @@ from vitrail.pipeline.task import Row, Task
 from vitrail.plan.settings import setting_names
 from vitrail.scene.load import Loaded
 from vitrail.scene.print import scene_hash
-from vitrail.study.tradeoff.knobs import ENGINES, EngineName, label_of
+from vitrail.study.tradeoff.knobs import ENGINES, label_of
 from vitrail.study.tradeoff.measure import Measure
 from vitrail.study.tradeoff.model import Prediction, best_for_budget, best_for_error, series_of
 from vitrail.study.tradeoff.predictions import CostAndError, Predictions, ScoredPrediction

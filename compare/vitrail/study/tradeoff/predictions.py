@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from pydantic import ConfigDict, RootModel
 
+from vitrail.base.engine_name import EngineName
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.base.record import Record
-from vitrail.study.tradeoff.knobs import EngineName, KnobValue
+from vitrail.study.tradeoff.knobs import KnobValue
 
 
 class CostAndError(Record):

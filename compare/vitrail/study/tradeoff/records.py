@@ -9,10 +9,11 @@ from typing import Literal
 
 from pydantic import JsonValue
 
+from vitrail.base.engine_name import EngineName
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.base.record import Record
 from vitrail.study.statistics import Estimate, Setting
-from vitrail.study.tradeoff.knobs import ENGINES, EngineName, KnobValue, amount
+from vitrail.study.tradeoff.knobs import ENGINES, KnobValue, amount
 
 
 class MeasuredError(Record):

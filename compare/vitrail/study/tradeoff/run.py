@@ -5,6 +5,7 @@ from __future__ import annotations
 import threading
 from pathlib import Path
 
+from vitrail.base.engine_name import EngineName
 from vitrail.base.progress import Progress, silent
 from vitrail.base.record import write_record
 from vitrail.engines.engine_build import engine_build
@@ -56,14 +57,14 @@ def measure_of(loaded: Loaded, out: Path, extent: Extent, references: Path | Non
     truth = read_scene_truth(references_folder(loaded.path, references), loaded.path.stem, loaded.scene)
     if truth.truths:
         return Measure(loaded, truth), None
-    converged = Converged(loaded, extent, engine_build("tracer"), out / "reference", threading.Lock())
+    converged = Converged(loaded, extent, engine_build(EngineName.TRACER), out / "reference", threading.Lock())
     return Measure(loaded, truth, converged), converged
 
 
 def tradeoff_tasks(loaded: Loaded, extent: Extent) -> list[Task]:
     """One task a setting and seed; the builds of the engines are part of their keys."""
     usual = prepare(loaded, Quality.NORMAL, {"photons": USUAL_PHOTONS})
-    builds = {"tracer": engine_build("tracer"), "povray": engine_build("povray")}
+    builds = {engine: engine_build(engine) for engine in EngineName}
     return [
         Task(
             "setting",

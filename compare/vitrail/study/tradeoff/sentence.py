@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from vitrail.study.tradeoff.knobs import EngineName
+from vitrail.base.engine_name import EngineName
 from vitrail.study.tradeoff.records import Price
 
-NAMES: dict[EngineName, str] = {"tracer": "the tracer", "povray": "POV-Ray"}
+NAMES: dict[EngineName, str] = {EngineName.TRACER: "the tracer", EngineName.POVRAY: "POV-Ray"}
 
 
 def sentence(
