@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from vitrail.base.vector import Vec
 from vitrail.engines.tracer import Tracer
 from vitrail.geometry.world import World
 from vitrail.lower.tracer import lower_tracer
@@ -12,7 +13,6 @@ from vitrail.plan.analyse import everything
 from vitrail.plan.budget import settings_for
 from vitrail.scene.load import load_text
 
-Vector = tuple[float, float, float]
 Vertices = list[dict[str, Any]]
 
 HEAD = """
@@ -25,8 +25,8 @@ lights: [{name: sun, directional: {direction: [0, -1, 0], irradiance: 1}}]
 
 def follow(
     body: str,
-    origin: Vector,
-    direction: Vector,
+    origin: Vec,
+    direction: Vec,
     *,
     band: int = 0,
     wavelength_nm: float | None = None,
@@ -42,23 +42,23 @@ def follow(
     return Tracer().trace(lowered, arguments)["vertices"]
 
 
-def direction_of(angle_deg: float) -> Vector:
+def direction_of(angle_deg: float) -> Vec:
     """In the plane of x and y, counted from +x towards +y."""
     return (math.cos(math.radians(angle_deg)), math.sin(math.radians(angle_deg)), 0.0)
 
 
-def down_at(angle_deg: float) -> Vector:
+def down_at(angle_deg: float) -> Vec:
     """Downwards, at this angle from -y towards +x."""
     return (math.sin(math.radians(angle_deg)), -math.cos(math.radians(angle_deg)), 0.0)
 
 
-def before(point: Vector, direction: Vector, distance: float) -> Vector:
+def before(point: Vec, direction: Vec, distance: float) -> Vec:
     """Where a ray must start to pass ``point`` after ``distance``."""
     x, y, z = (p - distance * d for p, d in zip(point, direction, strict=True))
     return (x, y, z)
 
 
-def angle_between(first: Vector, second: Vector) -> float:
+def angle_between(first: Vec, second: Vec) -> float:
     """Radians, to rounding at every size: from the cross and the inner product."""
     a, b = first, second
     cross = (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])

@@ -15,9 +15,10 @@ from typing import Any, Literal
 import numpy as np
 from scipy import stats
 
+from vitrail.base.colour import Triplet
+
 CHANNELS = ("red", "green", "blue")
 PatchAxis = Literal["u", "v"]
-Triplet = tuple[float, float, float]
 
 
 class MetricError(ValueError):

@@ -16,9 +16,8 @@ from dataclasses import dataclass
 from importlib import resources
 from typing import Protocol, runtime_checkable
 
+from vitrail.base.colour import Triplet
 from vitrail.optics.lines import LINE_NM
-
-Triplet = tuple[float, float, float]
 
 SHORTEST_NM, LONGEST_NM = 380.0, 730.0
 """The range that all spectral models share; it holds 99.98 % of each channel of daylight."""

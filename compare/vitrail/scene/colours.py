@@ -7,11 +7,10 @@ from collections.abc import Iterator
 from functools import cache
 from typing import Any
 
+from vitrail.base.colour import Triplet
 from vitrail.scene.field_types import part_types
 from vitrail.scene.model import Part, Scene
 from vitrail.scene.model.part import IS_COLOUR
-
-Triplet = tuple[float, float, float]
 
 
 @cache

@@ -11,6 +11,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
 
+from vitrail.base.colour import Triplet
 from vitrail.geometry.world import World
 from vitrail.lower.povray.bodies.normalise import Normalisation
 from vitrail.lower.povray.certificate.certificate import Certificate
@@ -18,7 +19,7 @@ from vitrail.lower.povray.certificate.residuals import certificate_of
 from vitrail.lower.povray.photons.light_factor import light_factor
 from vitrail.lower.povray.photons.photons import PhotonPass
 from vitrail.lower.povray.text.camera import HALF_SHIFTS
-from vitrail.lower.povray.text.exposure import Exposure, Triplet
+from vitrail.lower.povray.text.exposure import Exposure
 from vitrail.lower.povray.text.modes import Mode
 from vitrail.lower.povray.text.printer import printed
 from vitrail.lower.povray.text.scene_text import SceneText

@@ -5,6 +5,7 @@ from __future__ import annotations
 from decimal import Decimal
 from typing import Any, assert_never
 
+from vitrail.base.colour import Triplet
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.optics.bands import ALL_LIGHT, Band, band_model
 from vitrail.optics.dispersion import ior_by_band, reference_ior
@@ -13,7 +14,6 @@ from vitrail.scene.absorption import absorption_per_m
 from vitrail.scene.model import Checker, Ggx, Material, Scene
 
 Json = dict[str, Any]
-Triplet = tuple[float, float, float]
 
 
 def bands_of(scene: Scene, plan: Plan, wavelength_nm: float | None = None) -> tuple[Band, ...]:

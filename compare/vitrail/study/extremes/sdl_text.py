@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-Vector = tuple[float, float, float]
+from vitrail.base.vector import Vec
 
 
 def header(photons: str = "") -> str:
@@ -14,11 +14,11 @@ def header(photons: str = "") -> str:
     )
 
 
-def vector(value: Vector) -> str:
+def vector(value: Vec) -> str:
     return "<" + ",".join(repr(float(component)) for component in value) + ">"
 
 
-def orthographic(location: Vector, direction: Vector, right: Vector, up: Vector, size: float) -> str:
+def orthographic(location: Vec, direction: Vec, right: Vec, up: Vec, size: float) -> str:
     """A camera that sees a square of ``size``."""
     edge_right = tuple(size * component for component in right)
     edge_up = tuple(size * component for component in up)

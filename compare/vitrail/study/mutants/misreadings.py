@@ -6,10 +6,10 @@ import math
 from collections.abc import Callable, Mapping
 
 from vitrail.base.changed import changed
+from vitrail.base.colour import Triplet, times
 from vitrail.scene.model import Area, Directional, Light, Material, Object, Rectangle, Scene, Sphere, Transport
 
 Misreading = Callable[[Scene], Scene]
-Triplet = tuple[float, float, float]
 Fields = Mapping[str, object]
 """Fields of a material by name, as they are misread."""
 
@@ -48,10 +48,6 @@ def transport(**changes: object) -> Misreading:
 
 def power(colour: Triplet, exponent: float) -> Triplet:
     return (colour[0] ** exponent, colour[1] ** exponent, colour[2] ** exponent)
-
-
-def times(colour: Triplet, factor: float) -> Triplet:
-    return (colour[0] * factor, colour[1] * factor, colour[2] * factor)
 
 
 def with_index(factor: float) -> Callable[[Material], Fields]:

@@ -11,11 +11,11 @@ from dataclasses import replace
 from typing import assert_never
 
 from vitrail.base.changed import changed
+from vitrail.base.colour import Triplet
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.plan.plan import Plan, Requirement
 from vitrail.scene.model import Material, Scene
 
-Triplet = tuple[float, float, float]
 Fields = Mapping[str, object]
 """Fields of a material by name, with what takes their place."""
 

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from vitrail.base.colour import Triplet
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.lower.povray.certificate.certificate import RELATIVE, Entry, Named, the_material
-from vitrail.lower.povray.text.exposure import Exposure, Triplet
+from vitrail.lower.povray.text.exposure import Exposure
 from vitrail.lower.povray.text.indices import Indices
 from vitrail.lower.povray.text.modes import Mode
 from vitrail.lower.povray.text.surface import is_grey, specular_pool

@@ -12,6 +12,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
+from vitrail.base.colour import Triplet
 from vitrail.lower.povray.photons.photons import FLUX_LIMIT, photon_flux
 from vitrail.lower.povray.photons.stored_flux import (
     ABOVE_THE_STEP,
@@ -20,7 +21,7 @@ from vitrail.lower.povray.photons.stored_flux import (
     best_mantissa_factor,
     fluxes_to_keep,
 )
-from vitrail.lower.povray.text.exposure import Exposure, Triplet
+from vitrail.lower.povray.text.exposure import Exposure
 from vitrail.lower.povray.text.lights import Source
 from vitrail.lower.povray.text.sky import BRIGHTEST
 from vitrail.lower.povray.translation import Translation

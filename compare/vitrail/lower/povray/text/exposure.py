@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-Triplet = tuple[float, float, float]
+from vitrail.base.colour import Triplet
 
 
 @dataclass(frozen=True)

@@ -12,6 +12,7 @@ import math
 from dataclasses import dataclass, replace
 from typing import assert_never
 
+from vitrail.base.colour import Triplet, times
 from vitrail.base.vector import Vec, add, cross, length, scale, unit
 from vitrail.lower.povray.asked import Asked
 from vitrail.lower.povray.bodies.normalise import Normalisation
@@ -24,7 +25,7 @@ from vitrail.lower.povray.text.emitters import (
     sphere_directions,
     sun_directions,
 )
-from vitrail.lower.povray.text.exposure import Exposure, Triplet
+from vitrail.lower.povray.text.exposure import Exposure
 from vitrail.lower.povray.text.sdl import Block, Statement, block, rgb, statement, vector
 from vitrail.lower.povray.text.shapes import aperture
 from vitrail.lower.povray.text.sky import Skies
@@ -194,7 +195,3 @@ def _cone_sdl(cone: Cone, position: Vec) -> Statement:
     angle, tightness = cone.half_angle_deg, 1 if cone.is_lambert else 0
     words = ("spotlight", "radius", angle, "falloff", angle, "tightness", tightness)
     return statement(*words, "point_at", vector(add(position, cone.axis)))
-
-
-def times(colour: Triplet, factor: float) -> Triplet:
-    return (colour[0] * factor, colour[1] * factor, colour[2] * factor)

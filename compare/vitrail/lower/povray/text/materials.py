@@ -11,7 +11,7 @@ largest s.
 
 from __future__ import annotations
 
-from vitrail.lower.povray.text.exposure import Triplet
+from vitrail.base.colour import Triplet
 from vitrail.lower.povray.text.patterns import coloured
 from vitrail.lower.povray.text.sdl import Block, Colour, MapEntry, Part, block, listed, rgb, statement
 from vitrail.lower.povray.text.surface import GREY_SLACK, Surface, is_grey

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
+from vitrail.base.colour import Triplet
 from vitrail.base.phenomenon import Phenomenon
-from vitrail.lower.povray.text.exposure import Exposure, Triplet
+from vitrail.lower.povray.text.exposure import Exposure
 from vitrail.lower.povray.text.sky import Skies, Sky
 from vitrail.optics.bands import ALL_LIGHT, Band, band_model
 from vitrail.plan.plan import Plan

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from vitrail.base.colour import Triplet
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.geometry.solid import Solid
 from vitrail.geometry.world import World
 from vitrail.lower.povray.bodies.immersion import index_around, seen_from_outside
 from vitrail.lower.povray.bodies.nesting import Cut, Nesting
 from vitrail.lower.povray.bodies.normalise import Normalisation
-from vitrail.lower.povray.text.exposure import Exposure, Triplet
+from vitrail.lower.povray.text.exposure import Exposure
 from vitrail.lower.povray.text.materials import Layers, as_interior, textures_sdl
 from vitrail.lower.povray.text.roughness import Bumps, bumps_of
 from vitrail.lower.povray.text.sdl import Block, Part, block, rgb, statement

@@ -5,9 +5,10 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+from vitrail.base.colour import Triplet
 from vitrail.lower.povray.photons.radiosity import radiosity_sdl
 from vitrail.lower.povray.text.camera import HALF_SHIFTS, camera_sdl
-from vitrail.lower.povray.text.exposure import Exposure, Triplet
+from vitrail.lower.povray.text.exposure import Exposure
 from vitrail.lower.povray.text.lights import Source, light_sdl
 from vitrail.lower.povray.text.objects import ObjectText
 from vitrail.lower.povray.text.sdl import Block, Directive, SdlFile, Statement, block, rgb, statement

@@ -6,13 +6,13 @@ added after the matrix, so patterns are always in world coordinates.
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 from typing import assert_never
 
 from vitrail.base.vector import Vec, add, dot, scale, unit
 from vitrail.geometry.frame import Frame
 from vitrail.geometry.placement import solid_of
+from vitrail.geometry.shapes.lens import sagitta
 from vitrail.geometry.shapes.mesh import PlacedMesh
 from vitrail.geometry.solid import Solid
 from vitrail.lower.povray.bodies.meshes import mesh_parts
@@ -111,11 +111,9 @@ def _lens(shape: Lens, frame: Frame, units: Normalisation) -> Primitive:
             faces.append(block("sphere", listed(vector((0, 0, vertex - side * radius)), radius)))
             ends.append(vertex + side * rim)
         elif radius < 0:
-            reach = min(rim, -radius)
-            sag = -radius - math.sqrt(max(0.0, radius * radius - reach * reach))
             ball = listed(vector((0, 0, vertex - side * radius)), -radius)
             faces.append(block("sphere", ball, statement("inverse")))
-            ends.append(vertex + side * sag)
+            ends.append(vertex - side * sagitta(radius, rim))
         else:
             ends.append(vertex)
     body = block("cylinder", listed(vector((0, 0, ends[0])), vector((0, 0, ends[1])), rim))

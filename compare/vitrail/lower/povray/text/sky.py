@@ -17,12 +17,13 @@ from pathlib import Path
 
 import numpy as np
 
+from vitrail.base.colour import Triplet
 from vitrail.base.vector import Vec
 from vitrail.images.exr import ImageError
 from vitrail.images.sky import read_sky
 from vitrail.lower.povray.refusals.refusal import NotTranslatable, Refusals
 from vitrail.lower.povray.text.emitters import Grid, sphere_cells
-from vitrail.lower.povray.text.exposure import Exposure, Triplet
+from vitrail.lower.povray.text.exposure import Exposure
 from vitrail.lower.povray.text.sdl import Block, Product, Quoted, block, statement
 from vitrail.scene.diagnostic import Diagnostic
 from vitrail.scene.model import Environment, Scene

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from vitrail.base.colour import Triplet
 from vitrail.geometry.solid import Solid
 from vitrail.lower.povray.bodies.normalise import Normalisation
-from vitrail.lower.povray.text.exposure import Exposure, Triplet
+from vitrail.lower.povray.text.exposure import Exposure
 from vitrail.lower.povray.text.roughness import Bumps
 from vitrail.lower.povray.text.sdl import Statement, statement
 from vitrail.scene.model import Material
