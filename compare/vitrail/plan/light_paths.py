@@ -13,7 +13,7 @@ from vitrail.plan.in_picture import may_see
 from vitrail.plan.light_reach import may_reach
 from vitrail.plan.occlusion import lies_in_plane_of
 from vitrail.plan.plan import CausticPath
-from vitrail.plan.upstream import is_shut_off
+from vitrail.plan.planes_between import is_shut_off
 from vitrail.scene.model import Light, Object, Scene
 
 

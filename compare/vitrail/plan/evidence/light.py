@@ -5,7 +5,7 @@ from __future__ import annotations
 from vitrail.plan.convexity import never_meets_itself
 from vitrail.plan.evidence.words import LONGEST_LIST, colour, needed, not_needed
 from vitrail.plan.facts import Facts
-from vitrail.plan.intercepted import intercepted_power
+from vitrail.plan.intercepted_power import intercepted_power
 from vitrail.plan.plan import Requirement
 from vitrail.plan.stated_error import SHARE
 from vitrail.scene.model import Ambient

@@ -14,7 +14,7 @@ from vitrail.pipeline.campaign import Campaign, run_campaign
 from vitrail.pipeline.job import prepare
 from vitrail.pipeline.task import Task
 from vitrail.pipeline.task_log import read_rows
-from vitrail.plan.budget import USUAL_PHOTONS
+from vitrail.plan.gather_radius import USUAL_PHOTONS
 from vitrail.plan.settings import Quality
 from vitrail.scene.load import Loaded
 from vitrail.scene.print import scene_hash
