@@ -105,10 +105,11 @@ def lower_povray(world: World, plan: Plan, settings: Settings) -> PovrayScene:
 
 def _runs(translation: Translation) -> Iterator[PovrayRun]:
     """One run for each half image and exposure."""
+    text = SceneText(translation)
     for half in HALF_SHIFTS:
         for shown in translation.mode.exposures:
             plain = replace(shown, half=half)
-            yield _run(SceneText(translation), replace(plain, light_factor=light_factor(translation, plain)))
+            yield _run(text, replace(plain, light_factor=light_factor(translation, plain)))
 
 
 def _run(text: SceneText, exposure: Exposure) -> PovrayRun:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
-
 import numpy as np
 
 from vitrail.geometry.bounds import Bounds
@@ -36,12 +34,8 @@ def room_of(solid: Solid) -> Bounds:
     return solid.vertex_bounds if isinstance(solid, PlacedMesh) else solid.bounds
 
 
-@lru_cache(maxsize=16)
 def mesh_parts(placed: PlacedMesh, units: Normalisation) -> tuple[Part, ...]:
-    """The parts of a ``mesh2``: vertices, normals, faces, and a direction that makes it a solid.
-
-    Made once for all runs.
-    """
+    """The parts of a ``mesh2``: vertices, normals, faces, and a direction that makes it a solid."""
     mesh = placed.known.triangles
     points = _table("vertex_vectors", (mesh.vertices - np.array(units.centre)) * units.scale)
     normals = () if mesh.normals is None else (_table("normal_vectors", mesh.normals),)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from vitrail.base.colour import Triplet
 from vitrail.base.phenomenon import Phenomenon
@@ -15,7 +15,7 @@ from vitrail.lower.povray.text.exposure import Exposure
 from vitrail.lower.povray.text.materials import Layers, as_interior, textures_sdl
 from vitrail.lower.povray.text.roughness import Bumps, bumps_of
 from vitrail.lower.povray.text.sdl import Block, Part, block, rgb, statement
-from vitrail.lower.povray.text.shapes import primitive
+from vitrail.lower.povray.text.shapes import Primitive, primitive
 from vitrail.lower.povray.text.surface import Surface, specular_pool
 from vitrail.lower.povray.translation import Translation
 from vitrail.optics.dispersion import reference_ior
@@ -31,6 +31,7 @@ class ObjectText:
     """What turns the objects of a translated scene into text; with photons, specular ones are their targets."""
 
     translation: Translation
+    _made: dict[Solid, Primitive] = field(default_factory=dict, repr=False)
 
     @property
     def scene(self) -> Scene:
@@ -51,7 +52,7 @@ class ObjectText:
     def sdl(self, index: int, placed: Solid, exposure: Exposure, is_shooting: bool) -> Block:
         """The object in one run; ``placed`` is its shape, where a gap has been opened already."""
         material, cuts = self.scene.material_of(self.scene.objects[index]), self.nesting.cuts[index]
-        shape = primitive(placed, self.units)
+        shape = self._primitive(placed)
         after = (
             *self._textures(index, placed, exposure),
             *self._interior(material, exposure, is_shooting),
@@ -61,9 +62,15 @@ class ObjectText:
             return block(shape.keyword, *shape.parts, *after)
         return block("difference", shape.sdl, *(self._cutter(cut, material, exposure) for cut in cuts), *after)
 
+    def _primitive(self, solid: Solid) -> Primitive:
+        """The shape of a solid, made once for all runs: a mesh has many numbers."""
+        if solid not in self._made:
+            self._made[solid] = primitive(solid, self.units)
+        return self._made[solid]
+
     def _cutter(self, cut: Cut, lower: Material, exposure: Exposure) -> Block:
         """What is taken out; its face belongs to the higher solid, and is clear from the inside of the lower one."""
-        inner = primitive(cut.placed, self.units)
+        inner = self._primitive(cut.placed)
         if not lower.is_transmissive:
             return block(inner.keyword, *inner.parts, *self._layers(lower, cut.placed, exposure))
         higher = self.scene.material_of(self.scene.objects[cut.by])
@@ -81,8 +88,8 @@ class ObjectText:
 
     def _without(self, host: int, index: int) -> Block:
         """The room of a lower solid without those that other solids take from it."""
-        body = primitive(self.world.solids[host], self.units).sdl
-        others = [primitive(cut.placed, self.units).sdl for cut in self.nesting.cuts[host] if cut.by != index]
+        body = self._primitive(self.world.solids[host]).sdl
+        others = [self._primitive(cut.placed).sdl for cut in self.nesting.cuts[host] if cut.by != index]
         return block("difference", body, *others) if others else body
 
     def _layers(

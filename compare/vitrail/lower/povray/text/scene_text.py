@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import cached_property
 
 from vitrail.base.colour import Triplet
 from vitrail.lower.povray.photons.radiosity import radiosity_sdl
@@ -26,11 +27,15 @@ class SceneText:
 
     translation: Translation
 
+    @cached_property
+    def _objects(self) -> ObjectText:
+        return ObjectText(self.translation)
+
     def sdl(self, exposure: Exposure, samples_across: int, photon_file: str, sky: SkyPicture | None) -> SdlFile:
         """The tree; ``photon_file`` says what happens to the photon map, and without it there are no photons."""
         translation = self.translation
         bodies, is_shooting = translation.bodies, photon_file == "save_file"
-        objects, shift = ObjectText(translation), HALF_SHIFTS[exposure.half]
+        objects, shift = self._objects, HALF_SHIFTS[exposure.half]
         lights = translation.lighting.halves[exposure.half]
         return SdlFile(
             (
