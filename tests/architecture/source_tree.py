@@ -5,7 +5,7 @@ from __future__ import annotations
 import ast
 import re
 import subprocess
-from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
@@ -37,27 +37,28 @@ def python_modules() -> dict[str, Path]:
     return modules
 
 
-def imported_names(path: Path) -> Iterator[tuple[int, str]]:
+@cache
+def imported_names(path: Path) -> tuple[tuple[int, str], ...]:
     """Line and dotted name of everything a Python file imports, inside functions too.
 
     ``from a.b import c`` gives both ``a.b`` and ``a.b.c``, because ``c`` may be a module.
     """
+    found: list[tuple[int, str]] = []
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         if isinstance(node, ast.Import):
-            for alias in node.names:
-                yield node.lineno, alias.name
+            found += [(node.lineno, alias.name) for alias in node.names]
         elif isinstance(node, ast.ImportFrom):
             assert node.level == 0, f"{path}:{node.lineno}: write the import with its full name"
             assert node.module is not None
-            yield node.lineno, node.module
-            for alias in node.names:
-                yield node.lineno, f"{node.module}.{alias.name}"
+            found += [(node.lineno, node.module), *((node.lineno, f"{node.module}.{each.name}") for each in node.names)]
+    return tuple(found)
 
 
 def cpp_files() -> list[Path]:
     return sorted(path for path in TRACER.rglob("*") if path.suffix in CPP_SUFFIXES)
 
 
+@cache
 def included_names(path: Path) -> list[str]:
     """Everything a C++ file includes, as written, in order."""
     return [name for _, name in INCLUDE.findall(path.read_text(encoding="utf-8"))]

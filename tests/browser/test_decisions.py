@@ -6,11 +6,14 @@ import shutil
 from pathlib import Path
 
 import numpy as np
+import pytest
 
 from tests.browser.conftest import Watched
 from tests.end_to_end.test_command_line import CARD, ROOT, vitrail
 from vitrail.images.exr import read_image, write_image
 from vitrail.pipeline.decisions import read_decisions
+
+pytestmark = pytest.mark.browser
 
 
 def test_decisions_outlive_the_page_and_are_exported(watched: Watched, report: Path, tmp_path: Path) -> None:

@@ -10,6 +10,8 @@ from tests.browser.conftest import Watched
 from tests.report.synthetic import write_paper_run
 from vitrail.report.build import build_report
 
+pytestmark = pytest.mark.browser
+
 
 @pytest.fixture(scope="module")
 def paper(tmp_path_factory: pytest.TempPathFactory) -> Path:

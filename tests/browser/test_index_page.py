@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
 from playwright.sync_api import Page
 
 from tests.browser.conftest import Watched
+
+pytestmark = pytest.mark.browser
 
 
 def open_index(watched: Watched, report: Path, hash_text: str = "") -> Page:

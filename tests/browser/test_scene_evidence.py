@@ -10,6 +10,8 @@ from tests.browser.conftest import Watched
 from tests.browser.test_scene_page import open_scene, shown_radiance
 from tests.report.synthetic import WIDTH
 
+pytestmark = pytest.mark.browser
+
 
 def test_a_profile_has_both_engines_and_the_truth(watched: Watched, report: Path) -> None:
     page = open_scene(watched, report)

@@ -13,6 +13,8 @@ from tests.browser.conftest import Watched
 from tests.report.synthetic import HEIGHT, WIDTH
 from vitrail.images.exr import read_image
 
+pytestmark = pytest.mark.browser
+
 SIDES = ("tracer", "povray")
 
 

@@ -15,6 +15,8 @@ from vitrail.report.plans_page import write_plans_page
 from vitrail.report.tradeoff_page import write_tradeoff_page
 from vitrail.study.extremes.atlas import STACKS
 
+pytestmark = pytest.mark.browser
+
 GROUND = "getComputedStyle(document.body).backgroundColor"
 
 

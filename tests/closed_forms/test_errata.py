@@ -9,12 +9,13 @@ import pytest
 
 from tests.closed_forms.one_ray import HEAD, angle_between, before, direction_of, down_at, events, follow, turn
 from tests.closed_forms.small_picture import picture
-from vitrail.geometry.world import World
-from vitrail.lower.povray import NotTranslatable, lower_povray
-from vitrail.plan.analyse import analyse
-from vitrail.plan.budget import settings_for
+from vitrail.base.engine_name import EngineName
+from vitrail.lower.povray import NotTranslatable
+from vitrail.pipeline.job import prepare
 from vitrail.scene.diagnostic import SceneErrors
 from vitrail.scene.load import load_text
+
+pytestmark = pytest.mark.tracer
 
 BLOCK = """
 materials: {glass: {transmission: 1, ior: 1.5}}
@@ -274,7 +275,6 @@ lights: [{name: sun, directional: {direction: [0.3, -1, 0.2], irradiance: 3}}]
     ],
 )
 def test_povray_refuses_what_it_cannot_read_by_the_letter(key, value):
-    world = World.of_scene(load_text(GLASS_BEFORE_A_FLOOR + f"paper: {{{key}: {value}}}\n").scene)
-    plan = analyse(world)
+    job = prepare(load_text(GLASS_BEFORE_A_FLOOR + f"paper: {{{key}: {value}}}\n"))
     with pytest.raises(NotTranslatable, match=rf"literal reading `{key}`"):
-        lower_povray(world, plan, settings_for(world, plan, "draft"))
+        job.lowered(EngineName.POVRAY)

@@ -8,6 +8,8 @@ from mpmath import workdps
 from tests.closed_forms import rays_through_balls, rays_through_flat_glass, rays_through_prisms
 from tests.closed_forms.documented import reached
 
+pytestmark = pytest.mark.tracer
+
 PROMISED = 1e-9
 """What is asked of a single ray: radians, metres in a scene of metres, shares."""
 

@@ -10,6 +10,8 @@ from tests.commands.command_line import run
 from vitrail.engines import installation
 from vitrail.engines.base import EngineFailure
 
+pytestmark = [pytest.mark.browser, pytest.mark.povray, pytest.mark.tracer]
+
 
 def test_every_part_is_named_with_its_version() -> None:
     done = run("doctor", "--json")

@@ -13,6 +13,8 @@ import pytest
 
 from tests.commands.command_line import ROOT, SCENE, files_in
 
+pytestmark = pytest.mark.slow
+
 PATIENT_TRACER = f"""#!{sys.executable}
 import os, signal, sys, time
 value_of = lambda option: sys.argv[sys.argv.index(option) + 1]

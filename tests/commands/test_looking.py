@@ -16,6 +16,8 @@ from vitrail.base.phenomenon import Phenomenon
 from vitrail.commands.app import VERBS, Verbs
 from vitrail.images.exr import write_image
 
+pytestmark = pytest.mark.slow
+
 ALL_SCENES = sorted((ROOT / "scenes").glob("*/*.yaml"))
 
 

@@ -9,6 +9,8 @@ import pytest
 
 from tests.commands.command_line import SCENE, fake_tracer, files_in, run
 
+pytestmark = pytest.mark.tracer
+
 
 @pytest.fixture
 def out(tmp_path: Path) -> Path:

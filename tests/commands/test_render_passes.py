@@ -18,6 +18,8 @@ import pytest
 from tests.commands.command_line import ROOT, files_in, run
 from vitrail.images.exr import read_image
 
+pytestmark = [pytest.mark.tracer, pytest.mark.slow]
+
 BALL = ROOT / "scenes" / "calibration" / "ball_lens.yaml"
 CHEAP = ("--set", "photons=2000", "--set", "samples=2", "--threads", "1")
 

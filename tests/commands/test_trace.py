@@ -11,6 +11,8 @@ import pytest
 from tests.commands.command_line import ROOT, run
 from vitrail.optics.glass import glass_named
 
+pytestmark = pytest.mark.tracer
+
 PRISM = ROOT / "tests" / "golden" / "prism.yaml"
 INDICES = (1.6, 1.632, 1.664, 1.696)
 

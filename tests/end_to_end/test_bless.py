@@ -12,6 +12,8 @@ import pytest
 from tests.end_to_end.conftest import ROOT
 from tests.end_to_end.test_command_line import vitrail
 
+pytestmark = [pytest.mark.povray, pytest.mark.tracer, pytest.mark.slow]
+
 CARD = ROOT / "scenes" / "calibration" / "grey_card_directional.yaml"
 
 

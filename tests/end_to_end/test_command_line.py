@@ -17,6 +17,8 @@ import pytest
 from tests.end_to_end.conftest import ROOT
 from vitrail.images.exr import read_image, write_image, write_png
 
+pytestmark = [pytest.mark.povray, pytest.mark.tracer, pytest.mark.slow]
+
 CARD = ROOT / "scenes" / "calibration" / "grey_card_directional.yaml"
 LENS = ROOT / "scenes" / "calibration" / "ball_lens.yaml"
 

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import pytest
+
 from tests.end_to_end.conftest import Compare
 from vitrail.judge.comparison import Verdict
 from vitrail.pipeline.conformance import SCENES, conformance_scenes
+
+pytestmark = [pytest.mark.povray, pytest.mark.tracer, pytest.mark.slow]
 
 
 def test_both_engines_agree_with_the_closed_forms_of_the_conformance_scenes(compared: Compare) -> None:

@@ -12,6 +12,8 @@ from vitrail.judge.comparison import AblationOutcome, Verdict
 from vitrail.judge.records import Results
 from vitrail.pipeline.defects import DEFECTS
 
+pytestmark = [pytest.mark.povray, pytest.mark.tracer, pytest.mark.slow]
+
 CALIBRATION = ROOT / "scenes" / "calibration"
 
 

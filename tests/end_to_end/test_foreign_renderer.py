@@ -25,6 +25,8 @@ from vitrail.plan.analyse import analyse
 from vitrail.plan.budget import settings_for
 from vitrail.scene.load import Loaded, load
 
+pytestmark = [pytest.mark.povray, pytest.mark.tracer, pytest.mark.slow]
+
 CARD = ROOT / "scenes" / "calibration" / "grey_card_point.yaml"
 
 

@@ -10,6 +10,8 @@ import pytest
 from tests.end_to_end.conftest import ROOT
 from vitrail.study.mutants.limits import LIMITS, is_kept, measure_limits
 
+pytestmark = [pytest.mark.povray, pytest.mark.tracer, pytest.mark.slow]
+
 CALIBRATION = ROOT / "scenes" / "calibration"
 
 DEAR = ("spread",)

@@ -11,6 +11,8 @@ from vitrail.judge.stored import IMAGE, read_stored
 from vitrail.scene.load import load
 from vitrail.scene.print import scene_hash
 
+pytestmark = [pytest.mark.povray, pytest.mark.tracer, pytest.mark.slow]
+
 STORED = sorted(path.parent for path in REFERENCES.glob(f"*/{IMAGE}"))
 BUDGET_BYTES = 30_000_000
 

@@ -14,6 +14,8 @@ import pytest
 
 from vitrail.engines.child import Limits, run_child
 
+pytestmark = pytest.mark.slow
+
 PYTHON = sys.executable
 
 

@@ -4,8 +4,12 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
+
 from vitrail.engines.engine_build import build_of
 from vitrail.engines.tracer import Tracer
+
+pytestmark = [pytest.mark.povray, pytest.mark.tracer]
 
 
 def test_a_program_that_was_built_again_is_another_one(tmp_path: Path) -> None:

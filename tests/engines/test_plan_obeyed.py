@@ -17,6 +17,8 @@ from vitrail.plan.analyse import analyse
 from vitrail.plan.budget import settings_for
 from vitrail.scene.model import Scene
 
+pytestmark = pytest.mark.tracer
+
 AWAY = "{position: [0, 0.2, 40], look_at: [0, 0.2, 80], fov_deg: 10}"
 
 

@@ -22,6 +22,8 @@ from vitrail.engines.povray_result import Execution, Outcome, PhotonCensus
 from vitrail.lower.povray import PovrayScene
 from vitrail.lower.povray.text.sky import SkyPicture
 
+pytestmark = pytest.mark.povray
+
 Fake = Callable[[str], str]
 
 BANNER = 'if [ "$1" = --version ]; then echo "POV-Ray 3.7.0.8" >&2; exit 0; fi\n'

@@ -16,6 +16,8 @@ from vitrail.engines.povray import Povray
 from vitrail.images.exr import read_image
 from vitrail.scene.load import Loaded
 
+pytestmark = pytest.mark.povray
+
 CARD = "- {name: c, plane: {point: [0, 0, 0], normal: [0, 1, 0]}, material: card}"
 
 

@@ -22,6 +22,8 @@ from vitrail.plan.plan import Plan
 from vitrail.scene.load import load_text
 from vitrail.scene.model import Image, Scene
 
+pytestmark = [pytest.mark.tracer, pytest.mark.slow]
+
 ROOT = Path(__file__).parents[2]
 SCENES = sorted((ROOT / "scenes").glob("*/*.yaml"))
 PHOTONS = 20_000

@@ -15,6 +15,8 @@ from vitrail.metrics.noise import METHOD, noise_floor, with_interval
 from vitrail.metrics.noise_model import learn_noise
 from vitrail.metrics.radiance import mean_radiance
 
+pytestmark = pytest.mark.slow
+
 CONTEXT = Context(background=(0.0, 0.0, 0.0))
 TRIALS = 100
 

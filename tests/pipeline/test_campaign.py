@@ -16,6 +16,8 @@ from vitrail.pipeline.campaign import Campaign, run_campaign
 from vitrail.pipeline.task import Task
 from vitrail.pipeline.task_log import TaskLog, read_rows
 
+pytestmark = pytest.mark.slow
+
 STUDY = """
 import sys, time
 from pathlib import Path

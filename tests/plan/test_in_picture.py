@@ -28,6 +28,7 @@ def cameras() -> st.SearchStrategy[Camera]:
     return st.builds(build, point, point, st.booleans()).filter(lambda camera: camera is not None)  # type: ignore
 
 
+@pytest.mark.slow
 @settings(max_examples=300, deadline=None)
 @given(camera=cameras(), corner=point, size=st.tuples(*[st.floats(0.01, 3)] * 3), seed=st.integers(0, 1000))
 def test_a_box_with_a_point_in_the_picture_may_be_seen(camera: Camera, corner: tuple, size: tuple, seed: int) -> None:
@@ -38,6 +39,7 @@ def test_a_box_with_a_point_in_the_picture_may_be_seen(camera: Camera, corner: t
     assert may_see_box(View.of(camera, IMAGE), bounds) or not seen.any()
 
 
+@pytest.mark.slow
 @settings(max_examples=300, deadline=None)
 @given(camera=cameras(), place=point, normal=point.filter(lambda n: np.linalg.norm(n) > 0.1))
 @example(

@@ -21,6 +21,7 @@ DISC = "{name: lamp, area: {disc: {center: [%g, %g, %g], normal: [0, -1, 0], rad
 BALL = "{name: %s, sphere: {center: [%g, %g, %g], radius: %g}, material: white}"
 
 
+@pytest.mark.slow
 @settings(max_examples=400, deadline=None)
 @given(
     light=st.sampled_from([LAMP, TILTED, DISC]),

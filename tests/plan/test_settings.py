@@ -27,6 +27,7 @@ def test_a_seed_is_never_rounded(seed: int, form: type) -> None:
     assert settings_for(world, analyse(world), seed=form(seed)).seed == seed
 
 
+@pytest.mark.tracer
 @pytest.mark.parametrize("seed", SEEDS)
 @pytest.mark.parametrize("verb", ["emit", "render"])
 def test_a_seed_reaches_the_tracer_and_its_record_as_it_was_typed(verb: str, seed: int, tmp_path: Path) -> None:

@@ -12,6 +12,8 @@ from ruamel.yaml import YAML
 
 from tests.pytest_plugin.test_plugin import ROOT, pytest_in
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.fixture
 def repository(tmp_path: Path) -> Path:

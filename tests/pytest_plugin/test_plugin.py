@@ -13,6 +13,8 @@ import pytest
 
 from tests.pipeline.doubles import CARD
 
+pytestmark = pytest.mark.slow
+
 ROOT = Path(__file__).parents[2]
 RULES = (ROOT / "references" / "thresholds.yaml").read_text()
 ALONE = {"PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1"}

@@ -23,6 +23,8 @@ from lathe import (  # noqa: E402
     write_ply,
 )
 
+pytestmark = pytest.mark.slow
+
 SHIPPED = ("vase", "goblet", "wine")
 
 

@@ -15,6 +15,7 @@ from vitrail.scene.print import print_scene, scene_hash
 SHIPPED = sorted(Path("scenes").rglob("*.yaml"))
 
 
+@pytest.mark.slow
 @settings(max_examples=150, deadline=None, suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large])
 @given(scenes())
 def test_any_scene_survives_printing(scene: Scene) -> None:

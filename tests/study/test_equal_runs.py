@@ -15,6 +15,8 @@ from vitrail.images.exr import write_image
 from vitrail.scene.load import load
 from vitrail.study.equal_runs import EqualRuns, PairNumber, alarm_table, equal_runs
 
+pytestmark = pytest.mark.slow
+
 
 def suites(narrow: float, count: int = 400, numbers: int = 10) -> list[list[PairNumber]]:
     """Normal differences of size 1 whose stated standard error is ``narrow``."""

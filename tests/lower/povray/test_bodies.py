@@ -13,6 +13,8 @@ from vitrail.geometry.placement import place
 from vitrail.lower.povray import NotTranslatable
 from vitrail.scene.load import load
 
+pytestmark = pytest.mark.povray
+
 SHAPES = {
     "sphere": "sphere: {center: [0.1, 0.2, 0], radius: 0.7}",
     "box": "box: {min: [-0.5, -0.3, -0.2], max: [0.4, 0.6, 0.3]}",

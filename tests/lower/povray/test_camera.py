@@ -11,6 +11,8 @@ from vitrail.geometry.surface import checker_index
 from vitrail.geometry.world import World
 from vitrail.scene.load import Loaded
 
+pytestmark = pytest.mark.povray
+
 CAMERAS = {
     "perspective": "camera: {position: [3, 2, 4], look_at: [0.5, 0.2, -0.3], up: [0.2, 1, 0.1], fov_deg: 47}",
     "orthographic": (

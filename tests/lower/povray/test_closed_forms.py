@@ -9,6 +9,8 @@ import pytest
 
 from tests.lower.povray.real_povray import HALF_FLOAT, LOOKING_DOWN, Rendered, rendered, rendered_file, scene
 
+pytestmark = [pytest.mark.povray, pytest.mark.slow]
+
 
 @pytest.mark.parametrize("tilt_deg", [0.0, 36.87, 75.0])
 def test_a_grey_card_shows_albedo_times_irradiance_over_pi(tilt_deg: float) -> None:

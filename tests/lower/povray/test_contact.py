@@ -18,6 +18,8 @@ from vitrail.geometry.world import World
 from vitrail.lower.povray.bodies.flush import orders
 from vitrail.scene.load import load
 
+pytestmark = pytest.mark.povray
+
 MATERIALS = """
 panel: {emission: 1}
 glass: {transmission: 0.5, ior: 1.5}

@@ -10,6 +10,8 @@ import pytest
 from tests.lower.povray.real_povray import lowered, rendered, scene
 from vitrail.base.phenomenon import Phenomenon
 
+pytestmark = pytest.mark.povray
+
 PIPE = "- {name: pipe, box: {min: [0, 0, -0.5], max: [4, 0.5, 0.5]}, material: glass}"
 PANEL = "- {name: panel, rectangle: {center: [4.01, 0, 0], u: [0, 4, 0], v: [0, 0, 4]}, material: panel}"
 MATERIALS = "glass: {transmission: 1, ior: 1.5}\npanel: {emission: 1}"

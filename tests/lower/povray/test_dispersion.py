@@ -10,6 +10,8 @@ import pytest
 from tests.lower.povray.real_povray import HALF_FLOAT, Rendered, lowered, rendered, scene
 from vitrail.optics.bands import band_model
 
+pytestmark = pytest.mark.povray
+
 APEX = math.radians(60)
 LIT = "transport: {bands: %s}"
 INCIDENCE = math.radians(50)

@@ -9,6 +9,8 @@ import pytest
 from tests.lower.povray.real_povray import lowered, plain_povray, rendered, scene
 from vitrail.lower.povray import NotTranslatable
 
+pytestmark = pytest.mark.povray
+
 
 def test_a_lamp_in_the_middle_of_a_ball_keeps_its_photons() -> None:
     """Light leaves a ball along its normals: E = I t omega / area, omega = 4 asin(a^2 / (a^2 + h^2)) of a square.

@@ -12,6 +12,8 @@ from vitrail.lower.povray.certificate.certificate import Named
 from vitrail.lower.povray.text.emitters import Grid, disc_points, rectangle_points, sphere_directions, sun_directions
 from vitrail.scene.model import Disc, Rectangle
 
+pytestmark = pytest.mark.povray
+
 CARD = "- {name: card, plane: {point: [0, 0, 0], normal: [0, 1, 0]}, material: card}"
 GREY = "card: {diffuse: 0.8}"
 SPOT_OF_CARD = "camera: {kind: orthographic, position: [0, 0.5, 0], look_at: [0, 0, 0], up: [0, 0, -1], height: 0.01}"

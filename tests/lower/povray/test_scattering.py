@@ -13,6 +13,8 @@ from vitrail.lower.povray import NotTranslatable
 from vitrail.lower.povray.text.roughness import LEVELS, TILT_PER_AMPLITUDE, bumps_of
 from vitrail.scene.model import Ggx, Material
 
+pytestmark = [pytest.mark.povray, pytest.mark.slow]
+
 
 def behind_a_pane(roughness: str, samples: int = 64) -> Rendered:
     """An edge at x = 0, bright on the left, one metre behind a pane of 0.1 m with index 1.5."""

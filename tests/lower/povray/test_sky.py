@@ -15,6 +15,8 @@ from vitrail.lower.povray import NotTranslatable
 from vitrail.lower.povray.text.emitters import Grid, sphere_directions
 from vitrail.lower.povray.text.sky import BRIGHTEST, Sky
 
+pytestmark = pytest.mark.povray
+
 GREY = "card: {diffuse: 0.8}"
 CARD = "- {name: card, plane: {point: [0, 0, 0], normal: [0, 1, 0]}, material: card}"
 SPOT_OF_CARD = "camera: {kind: orthographic, position: [0, 0.5, 0], look_at: [0, 0, 0], up: [0, 0, -1], height: 0.01}"

@@ -10,6 +10,8 @@ from vitrail.base.phenomenon import Phenomenon
 from vitrail.lower.povray.certificate.certificate import HALF_FLOAT
 from vitrail.lower.povray.photons.stored_flux import ONE_STEP, best_mantissa_factor, stored_loss, worst_loss
 
+pytestmark = pytest.mark.povray
+
 TINTS = (0.81, 0.9025, 0.01, 0.5625)
 """t^2 of the panes of figure 4, in one channel."""
 

@@ -14,6 +14,8 @@ import pytest
 from tests.lower.povray.real_povray import HALF_FLOAT, lowered, plain_povray, rendered, scene
 from vitrail.lower.povray import NotTranslatable
 
+pytestmark = pytest.mark.povray
+
 FLOOR_AND_PANE = """
 - {{name: floor, plane: {{point: [0, 0, 0], normal: [0, 1, 0]}}, material: floor}}
 - {{name: pane, box: {{min: [-{w}, {a}, -{w}], max: [{w}, {b}, {w}]}}, material: pane}}

@@ -14,6 +14,8 @@ from vitrail.images.exr import ImageLayers, read_image
 from vitrail.pipeline.passes.checkpoint import CheckpointError, checkpoint_path
 from vitrail.pipeline.passes.passes_job import PassesJob
 
+pytestmark = pytest.mark.tracer
+
 
 def assert_same_bits(first: ImageLayers, second: ImageLayers) -> None:
     assert first.layers.keys() == second.layers.keys()

@@ -21,6 +21,8 @@ from vitrail.pipeline.passes.run import Finished
 from vitrail.pipeline.passes.schedule import blur_radius_m
 from vitrail.pipeline.passes.stop import Reason, StopCriteria, Target, is_spent, next_look, passes_wanted
 
+pytestmark = [pytest.mark.tracer, pytest.mark.slow]
+
 FLUX = 0.8 * 0.716163303479 * math.pi
 """W/sr of the ball lens within 0.9 m: d E / pi times pi b(0.9)^2, E = pi [O 1.6], as in references/analytic.yaml."""
 

@@ -11,6 +11,8 @@ from vitrail.report.atlas_page import write_atlas_page
 from vitrail.study.extremes.atlas import AXES, run_atlas
 from vitrail.study.extremes.records import Atlas
 
+pytestmark = [pytest.mark.povray, pytest.mark.tracer, pytest.mark.slow]
+
 KNOWN = {
     # axis: (low, high) of the first failing value in POV-Ray, from the notes [P 2.4, 2.7, 7] with the bisection's 5 %
     "thickness": (9e-5, 1.05e-4),  # MIN_ISECT_DEPTH 1e-4

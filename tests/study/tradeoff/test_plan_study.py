@@ -18,6 +18,8 @@ from vitrail.study.tradeoff.plan_records import Plans
 from vitrail.study.tradeoff.plan_study import analyse_plans, run_plan_study
 from vitrail.study.tradeoff.removal import HOW, without
 
+pytestmark = pytest.mark.tracer
+
 SCENES = Path(__file__).resolve().parents[3] / "scenes"
 
 

@@ -21,6 +21,8 @@ from vitrail.study.tradeoff.predict import FRESH_SEEDS, Aim, predict, prediction
 from vitrail.study.tradeoff.predictions import Predictions
 from vitrail.study.tradeoff.records import Tradeoff
 
+pytestmark = pytest.mark.tracer
+
 BALL = Path(__file__).resolve().parents[3] / "scenes" / "calibration" / "ball_lens.yaml"
 
 

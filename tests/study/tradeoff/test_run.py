@@ -14,6 +14,8 @@ from vitrail.pipeline.task_log import read_rows
 from vitrail.scene.load import load
 from vitrail.study.tradeoff.knobs import matrix
 
+pytestmark = [pytest.mark.povray, pytest.mark.tracer]
+
 SCENES = Path(__file__).resolve().parents[3] / "scenes" / "calibration"
 
 
