@@ -5,7 +5,7 @@ import pytest
 
 from vitrail.images.display import Display
 from vitrail.images.exr import ImageLayers
-from vitrail.metrics.colour_difference import delta_e_2000, lab
+from vitrail.metrics.colour_difference import WHITE, XYZ_OF_RGB, chromaticity, delta_e_2000, lab
 from vitrail.metrics.errors import colour_error, relative_l1, relative_mse
 from vitrail.metrics.flip import FlipSettings, flip, flip_map
 from vitrail.metrics.measurement import MetricError
@@ -196,3 +196,15 @@ def test_a_vanished_caustic_leaves_ssim_high():
     full[90:102, 90:102] = 3.0
     lost = np.full((192, 192, 3), 0.3)
     assert ssim(lost, full, PLAIN).value > 0.95
+
+
+def test_cie_colours_are_those_of_colour_science():
+    import colour
+
+    rgb = np.random.default_rng(4).random((50, 3)) * 1.5
+    xyz = rgb @ XYZ_OF_RGB.T
+    white = colour.XYZ_to_xy(WHITE)
+    # Both are formulas in doubles: what differs is rounding, of numbers up to 100.
+    np.testing.assert_allclose(lab(rgb), colour.XYZ_to_Lab(xyz, white), atol=1e-12 * 100)
+    uv = colour.Luv_to_uv(colour.XYZ_to_Luv(xyz, white), white)
+    np.testing.assert_allclose(chromaticity(rgb), uv, atol=1e-12)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import pytest
 
-from vitrail.report.figures import ticks
 from vitrail.report.page import confidence, factor, number, quantity, words
 
 
@@ -56,8 +55,3 @@ def test_the_sample_factor_never_promises_too_little() -> None:
 
 def test_words_of_a_metric_with_a_component() -> None:
     assert words("flux_ratio.red") == "flux ratio, red"
-
-
-def test_ticks_are_round_and_inside() -> None:
-    assert ticks(-0.02, 0.02, 4) == pytest.approx([-0.02, -0.01, 0.0, 0.01, 0.02])
-    assert ticks(0.0, 1.3, 4) == pytest.approx([0.0, 0.5, 1.0])

@@ -10,7 +10,7 @@ from tests.report.synthetic import write_run
 from vitrail.base.record import read_record
 from vitrail.judge.comparison import Interval, TolerancePart, Verdict
 from vitrail.judge.records import Results
-from vitrail.report.agreement_page import BEGIN, END, agreement_tables, write_agreement_page
+from vitrail.report.agreement_page import BEGIN
 from vitrail.study.agreement import Agreement, agreement
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -70,28 +70,12 @@ def test_the_last_run_of_a_scene_counts(results: Results) -> None:
     assert row.difference == 0.02
 
 
-def test_only_the_tables_of_a_page_are_written(results: Results, tmp_path: Path) -> None:
-    page = tmp_path / "page.md"
-    page.write_text(f"# Mine\n\nBefore.\n\n{BEGIN}\nold\n{END}\n\nAfter.\n")
-    found = agreement([results])
-    write_agreement_page(page, found)
-    write_agreement_page(page, found)
-    text = page.read_text()
-    assert text.startswith("# Mine\n\nBefore.\n") and text.endswith(f"{END}\n\nAfter.\n") and "old" not in text
-    assert agreement_tables(found) in text
-
-
 # --- what is published ----------------------------------------------------------------------------------------------
 
 
 @pytest.fixture(scope="module")
 def published() -> Agreement:
     return read_record(Agreement, ROOT / "docs" / "agreement.json.gz")
-
-
-def test_the_page_says_what_its_file_says(published: Agreement) -> None:
-    text = (ROOT / "docs" / "agreement.md").read_text()
-    assert agreement_tables(published) in text
 
 
 def test_every_scene_is_in_the_table_and_was_judged(published: Agreement) -> None:
