@@ -33,12 +33,12 @@ def _report(path: Path) -> dict[str, Any]:
     try:
         loaded, warnings = read_and_check(path)
     except SceneErrors as errors:
-        return {"scene": str(path), "errors": [_plain(each) for each in errors.diagnostics], "warnings": []}
+        return {"scene": str(path), "errors": [_as_json(each) for each in errors.diagnostics], "warnings": []}
     summary = f"objects: {len(loaded.scene.objects)}, lights: {len(loaded.scene.lights)}"
-    return {"scene": str(path), "errors": [], "warnings": [_plain(each) for each in warnings], "summary": summary}
+    return {"scene": str(path), "errors": [], "warnings": [_as_json(each) for each in warnings], "summary": summary}
 
 
-def _plain(diagnostic: Any) -> dict[str, Any]:
+def _as_json(diagnostic: Any) -> dict[str, Any]:
     names = ("file", "line", "col", "what", "remedy")
     return {**{name: getattr(diagnostic, name) for name in names}, "message": str(diagnostic)}
 

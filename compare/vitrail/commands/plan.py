@@ -30,12 +30,12 @@ def plan(
     for warning in found.warnings:
         typer.echo(f"warning: {warning}", err=True)
     if as_json:
-        print_json(_plain(found, settings))
+        print_json(_as_json(found, settings))
     else:
         _print_table(loaded.scene.title or scene.name, found, settings)
 
 
-def _plain(found: Plan, settings: Settings) -> dict[str, Any]:
+def _as_json(found: Plan, settings: Settings) -> dict[str, Any]:
     return {
         "phenomena": {phenomenon.value: asdict(entry) for phenomenon, entry in found.entries.items()},
         "caustic_paths": [asdict(path) for path in found.caustic_paths],

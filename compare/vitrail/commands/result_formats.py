@@ -11,7 +11,7 @@ from xml.etree import ElementTree
 
 import typer
 
-from vitrail.commands.finding import finding, where
+from vitrail.commands.comparison_sentence import sentence, where
 from vitrail.commands.output import print_json
 from vitrail.judge.comparison import ObservationResult, Verdict
 from vitrail.judge.records import Results, SceneResult
@@ -81,7 +81,7 @@ def github_annotations(results: Results, line: Line) -> list[str]:
             if level is None:
                 continue
             told = [
-                finding(observation, each) for each in observation.comparisons if each.verdict is observation.verdict
+                sentence(observation, each) for each in observation.comparisons if each.verdict is observation.verdict
             ]
             text = "\n".join([*told, *where(observation), *observation.unmeasured, f"again: {scene.reproduce}"])
             title = f"{scene.name}.{observation.name} {observation.verdict.value}"
@@ -97,7 +97,7 @@ def job_summary(results: Results) -> str:
         phenomena = ", ".join(f"{each.phenomenon.value} {each.verdict.value}" for each in scene.observations)
         why = scene.message or next(
             (
-                finding(observation, each)
+                sentence(observation, each)
                 for observation in scene.observations
                 for each in observation.comparisons
                 if each.verdict is scene.verdict is not Verdict.AGREES
@@ -136,7 +136,7 @@ def _case(suite: ElementTree.Element, scene: SceneResult, observation: Observati
     case = ElementTree.SubElement(suite, "testcase", classname=scene.name, name=observation.name)
     if observation.verdict is Verdict.AGREES:
         return "success"
-    told = [finding(observation, each) for each in observation.comparisons if each.verdict is observation.verdict]
+    told = [sentence(observation, each) for each in observation.comparisons if each.verdict is observation.verdict]
     failure = ElementTree.SubElement(case, "failure", type=observation.verdict.value, message=told[0] if told else "")
     failure.text = "\n".join([*told, *where(observation), *observation.unmeasured, f"again: {scene.reproduce}"])
     return "failure"

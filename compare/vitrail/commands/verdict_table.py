@@ -9,7 +9,7 @@ from rich.console import Console
 from rich.markup import escape
 from rich.table import Table
 
-from vitrail.commands.finding import finding, where
+from vitrail.commands.comparison_sentence import sentence, where
 
 if TYPE_CHECKING:
     from vitrail.judge.comparison import Comparison, ObservationResult
@@ -53,7 +53,7 @@ def attention(scene: SceneResult) -> list[str]:
 
 def _line(scene: SceneResult, observation: ObservationResult, comparison: Comparison) -> str:
     colour = COLOURS[comparison.verdict.value]
-    return f"[{colour}]{escape(scene.name)}.{escape(observation.name)}[/] {escape(finding(observation, comparison))}"
+    return f"[{colour}]{escape(scene.name)}.{escape(observation.name)}[/] {escape(sentence(observation, comparison))}"
 
 
 def _table(results: Results) -> Table:

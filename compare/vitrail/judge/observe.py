@@ -17,9 +17,9 @@ from vitrail.images.exr import ImageLayers
 from vitrail.images.patch import PatchGrid, PatchSamples, make_grid, sample_patch
 from vitrail.judge.comparison import Pair, PatchRecord, Profile
 from vitrail.judge.patch_light import PatchLight, patch_light
-from vitrail.judge.plain import plain
 from vitrail.judge.profiles import profiles_of
 from vitrail.judge.references import SceneTruth, Truth
+from vitrail.judge.to_json import to_json
 from vitrail.judge.verdict import Measured, Noise
 from vitrail.metrics.by_phenomenon import measure, measure_with_intervals
 from vitrail.metrics.measurement import Context, Measurement, MetricError
@@ -230,8 +230,8 @@ def _measured(pair: Pair, entry: Measurement, ideal: float, source: str, smoothi
         ideal=float(ideal),
         noise=noise,
         ideal_source=source,
-        settings=plain(entry.settings),
-        parts=plain(entry.parts),
+        settings=to_json(entry.settings),
+        parts=to_json(entry.parts),
         caveats=caveats,
         smoothing=smoothing,
     )

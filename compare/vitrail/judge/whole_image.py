@@ -8,9 +8,9 @@ from typing import Any
 from vitrail.images.display import Display
 from vitrail.images.exr import ImageLayers
 from vitrail.judge.comparison import Pair, Verdict
-from vitrail.judge.plain import plain
 from vitrail.judge.records import GlobalMetric
 from vitrail.judge.rules import Rule
+from vitrail.judge.to_json import to_json
 from vitrail.metrics.measurement import Measurement, MetricError
 from vitrail.metrics.whole_image import measure_image
 
@@ -38,8 +38,8 @@ def global_metrics(
             ideal=entry.ideal if entry.ideal is not None else 0.0,
             floor=entry.floor,
             **_judged(entry, (rules or {}).get(entry.metric)),
-            settings=plain(entry.settings),
-            parts=plain(entry.parts),
+            settings=to_json(entry.settings),
+            parts=to_json(entry.parts),
             caveats=entry.caveats,
         )
         for entry in found

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from vitrail.check.check import check_file
-from vitrail.commands.finding import finding
+from vitrail.commands.comparison_sentence import sentence
 from vitrail.judge.comparison import ObservationResult, Verdict
 from vitrail.judge.records import GlobalMetric, SceneResult, Status
 from vitrail.judge.reference_files import ReferencesError
@@ -104,7 +104,7 @@ class WholeImageTest(SceneTest):
 
 def told(observation: ObservationResult, scene: SceneResult) -> str:
     """The verdict, the numbers behind it, and how to see it again."""
-    lines = [finding(observation, each) for each in observation.comparisons if each.verdict is observation.verdict]
+    lines = [sentence(observation, each) for each in observation.comparisons if each.verdict is observation.verdict]
     return "\n  ".join([observation.verdict.value, *lines, *observation.unmeasured, f"again: {scene.reproduce}"])
 
 

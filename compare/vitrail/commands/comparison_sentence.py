@@ -13,7 +13,7 @@ AFFORDABLE = 1e4
 """Times the samples beyond which nobody will wait."""
 
 
-def finding(observation: ObservationResult, comparison: Comparison) -> str:
+def sentence(observation: ObservationResult, comparison: Comparison) -> str:
     """For a terminal, an annotation or a test's message; no markup."""
     interval, unit = comparison.interval, _unit(comparison.unit)
     text = (

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from tests.report.synthetic import write_run
-from vitrail.commands.finding import finding
+from vitrail.commands.comparison_sentence import sentence
 from vitrail.judge.comparison import Attribution, Cause, ObservationResult, Verdict
 
 
@@ -30,18 +30,18 @@ def unsure(tmp_path_factory: pytest.TempPathFactory) -> ObservationResult:
 def test_doubt_says_what_would_end_it(unsure: ObservationResult, factor: float | None, words: str) -> None:
     (doubt, *_) = [each for each in unsure.comparisons if each.verdict is Verdict.INCONCLUSIVE]
     changed = doubt.model_copy(update={"sample_factor": factor, "attribution": None})
-    assert finding(unsure, changed).endswith("]" + words)
+    assert sentence(unsure, changed).endswith("]" + words)
 
 
 def test_engines_have_their_names_in_a_sentence(unsure: ObservationResult) -> None:
     (doubt, *_) = [each for each in unsure.comparisons if each.verdict is Verdict.INCONCLUSIVE]
     for engine, words in (("povray", "(model of POV-Ray: why)"), ("tracer", "(model of the tracer: why)")):
         cause = Attribution(cause=Cause.MODEL, engine=engine, reason="why")
-        assert words in finding(unsure, doubt.model_copy(update={"attribution": cause}))
+        assert words in sentence(unsure, doubt.model_copy(update={"attribution": cause}))
 
 
 def test_a_share_has_no_unit_and_a_length_has_metres(unsure: ObservationResult) -> None:
     (doubt, *_) = [each for each in unsure.comparisons if each.verdict is Verdict.INCONCLUSIVE]
     changed = {unit: doubt.model_copy(update={"unit": unit, "value": 0.25}) for unit in ("1", "m")}
-    assert "is 0.25, should" in finding(unsure, changed["1"])
-    assert "is 0.25 m, should" in finding(unsure, changed["m"])
+    assert "is 0.25, should" in sentence(unsure, changed["1"])
+    assert "is 0.25 m, should" in sentence(unsure, changed["m"])

@@ -8,14 +8,14 @@ import numpy as np
 from pydantic import JsonValue
 
 
-def plain(mapping: Mapping[str, object]) -> dict[str, JsonValue]:
+def to_json(mapping: Mapping[str, object]) -> dict[str, JsonValue]:
     """Arrays become lists, numpy numbers become numbers, mappings and tuples are walked through."""
     return {str(key): _value(value) for key, value in mapping.items()}
 
 
 def _value(value: object) -> JsonValue:
     if isinstance(value, Mapping):
-        return plain(value)
+        return to_json(value)
     if isinstance(value, np.ndarray):
         return value.tolist()
     if isinstance(value, np.generic):
