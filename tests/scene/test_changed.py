@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from pydantic import ValidationError
 
-from vitrail.base.changed import changed
+from vitrail.base.changed import changed, unchecked
 from vitrail.scene.model import Cylinder, Material, Sphere
 
 BALL = Sphere(center=(0, 1, 0), radius=2)
@@ -31,3 +31,10 @@ def test_a_copy_that_its_type_refuses_is_refused(fields: dict[str, object]) -> N
 def test_the_rules_between_fields_hold_for_a_copy_too() -> None:
     with pytest.raises(ValidationError, match="which makes light"):
         changed(Material(diffuse=(0.5,) * 3), reflection=(0.6,) * 3)
+
+
+def test_a_defect_may_break_a_rule_but_no_name() -> None:
+    assert unchecked(BALL, radius=-1).radius == -1
+    assert unchecked(BALL, radius=-1).center == BALL.center
+    with pytest.raises(TypeError, match="Sphere has no raduis"):
+        unchecked(BALL, raduis=5)

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from vitrail.base.changed import changed
 from vitrail.judge.comparison import Attribution, Cause, Comparison, Pair, Verdict, maker
 
 HALF_FLOAT_STEP = 2.0**-11
@@ -23,7 +24,7 @@ ROUNDINGS = 4
 def attribute(comparisons: Sequence[Comparison]) -> tuple[Comparison, ...]:
     """The comparisons of one observation, each that needs one with its cause."""
     return tuple(
-        comparison if cause is None else comparison.model_copy(update={"attribution": cause})
+        comparison if cause is None else changed(comparison, attribution=cause)
         for comparison in comparisons
         for cause in [_cause(comparison, comparisons)]
     )

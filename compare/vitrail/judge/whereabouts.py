@@ -13,6 +13,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from vitrail.base.changed import changed
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.judge.comparison import (
     AblationEntry,
@@ -122,19 +123,19 @@ def _entry(
     measured = [(old, after[old.metric]) for old in deviating if old.metric in after]
     of_light = [pair for pair in measured if pair[0].metric.split(".")[0] in LIGHT_FAMILIES]
     if measured:
-        found = base.model_copy(update=_by_numbers(measured))
+        found = changed(base, **_by_numbers(measured))
         # With the observed phenomenon off, its numbers may be of nothing; its light or the furthest still tell.
         for fewer in (of_light, measured[:1]) if switched.off == observed.value else ():
             if fewer and found.outcome is AblationOutcome.UNCLEAR:
-                found = base.model_copy(update=_by_numbers(fewer))
+                found = changed(base, **_by_numbers(fewer))
     elif switched.off == observed.value and after and all(e.verdict is Verdict.AGREES for e in after.values()):
         reason = "there is nothing left of it to measure, and all that can still be measured agrees"
-        found = base.model_copy(update={"outcome": AblationOutcome.GOES, "reason": reason})
+        found = changed(base, outcome=AblationOutcome.GOES, reason=reason)
     else:
-        found = base.model_copy(update=_by_light(light, switched.light, level))
+        found = changed(base, **_by_light(light, switched.light, level))
     is_dark = switched.light.brightest < DARK * light.brightest
     if found.outcome is AblationOutcome.GOES and is_dark and not switched.darkens:
-        return found.model_copy(update={"outcome": AblationOutcome.UNCLEAR, "reason": "the patch is dark then"})
+        return changed(found, outcome=AblationOutcome.UNCLEAR, reason="the patch is dark then")
     return found
 
 

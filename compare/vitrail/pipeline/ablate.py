@@ -10,6 +10,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
+from vitrail.base.changed import changed
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.base.progress import Progress, silent
 from vitrail.base.record import number_in
@@ -74,10 +75,8 @@ def with_whereabouts(
 ) -> tuple[ObservationResult, ...]:
     """The observations of a scene, each that deviates between the engines with where and why."""
     return tuple(
-        entry.model_copy(
-            update={
-                "where": whereabouts(entry, light, _switched(entry, search, thresholds, level), search.required, level)
-            }
+        changed(
+            entry, where=whereabouts(entry, light, _switched(entry, search, thresholds, level), search.required, level)
         )
         if (light := search.light.get(entry.name)) is not None and deviates_between_engines(entry)
         else entry
@@ -177,7 +176,7 @@ def _with_settings_of(record: SceneResult, request: Request) -> Request:
 
 
 def _observing(scene: Scene, wanted: set[str]) -> Scene:
-    return scene.model_copy(update={"observe": tuple(entry for entry in scene.observe if entry.name in wanted)})
+    return changed(scene, observe=tuple(entry for entry in scene.observe if entry.name in wanted))
 
 
 def _observed(

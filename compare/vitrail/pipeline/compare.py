@@ -7,6 +7,7 @@ from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
+from vitrail.base.changed import changed
 from vitrail.base.progress import Progress, named, silent
 from vitrail.engines.base import EngineFailure
 from vitrail.judge.observe import NothingToMeasure
@@ -61,13 +62,13 @@ def compare_scene(task: SceneTask, progress: Progress = silent) -> SceneRun:
     record = record_of_job(job, task.name, request)
     try:
         lowered = lower(job, request)
-        record = record.model_copy(update={"certificate": lowered.certificate.records})
+        record = changed(record, certificate=lowered.certificate.records)
         rendered = run_both(lowered, place, request, progress)
         record, images = open_images(record, rendered, stored, place)
         if record.status is not Status.JUDGED:
             return SceneRun(record)
         measured = Measurements(job.scene, loaded.path.stem, references, job.settings, images, stored)
-        record = record.model_copy(update={"global_metrics": measured.whole_images()})
+        record = changed(record, global_metrics=measured.whole_images())
         return SceneRun(record, measured.observations(), lowered.certificate.bound, references)
     except NotTranslatable as refusal:
         return SceneRun(ended(record, Status.NOT_TRANSLATABLE, str(refusal)))
@@ -109,7 +110,7 @@ def _with_whereabouts(suite: Suite, record: SceneResult, progress: Progress) -> 
 
     def unfound(error: Exception) -> SceneRun:
         warnings = (*run.record.warnings, unsearched(record, suite.request, error))
-        return replace(run, record=run.record.model_copy(update={"warnings": warnings}))
+        return replace(run, record=changed(run.record, warnings=warnings))
 
     return if_own_defect(
         lambda: replace(run, search=search_whereabouts(loaded, references, record, suite.request, left_s, watched)),

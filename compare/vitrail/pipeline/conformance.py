@@ -11,6 +11,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 
+from vitrail.base.changed import changed
 from vitrail.images.exr import ImageLayers
 from vitrail.judge.comparison import Verdict
 from vitrail.judge.records import Gate, Results, Status
@@ -59,11 +60,11 @@ def why_unproven(loaded: Loaded, images: Mapping[str, ImageLayers]) -> str:
 def behind_gate(run: SceneRun, failure: str) -> SceneRun:
     """A scene's run with the gate that its renderer conforms; behind a closed gate nothing is judged."""
     gate = Gate(gate="conformance", passed=not failure, message=failure or f"{', '.join(SCENES)} agree")
-    record = run.record.model_copy(update={"gates": (*run.record.gates, gate)})
+    record = changed(run.record, gates=(*run.record.gates, gate))
     if not failure:
         return replace(run, record=record)
     message = f"{run.record.message}\n{failure}".strip()
-    return SceneRun(ended(record.model_copy(update={"global_metrics": ()}), Status.GATE_FAILED, message))
+    return SceneRun(ended(changed(record, global_metrics=()), Status.GATE_FAILED, message))
 
 
 def failure_of(proofs: Results) -> str:

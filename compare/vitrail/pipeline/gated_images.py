@@ -6,6 +6,7 @@ import shutil
 from collections.abc import Mapping
 from pathlib import Path
 
+from vitrail.base.changed import changed
 from vitrail.engines.base import EngineFailure, Rendering
 from vitrail.images.exr import ImageError, ImageLayers, read_image
 from vitrail.judge.gates import Inspected, check_gates
@@ -25,9 +26,7 @@ def open_images(
     """
     engines = tuple(engine_record(rendering.record) for rendering in made.values())
     remarks = stored.remarks(engines[0].version) if stored is not None else ()
-    record = record.model_copy(
-        update={"engines": engines, "speed": speed_records(engines), "warnings": (*record.warnings, *remarks)}
-    )
+    record = changed(record, engines=engines, speed=speed_records(engines), warnings=(*record.warnings, *remarks))
     files = {side: rendering.image_path for side, rendering in made.items()}
     images = {side: _read(side, path) for side, path in files.items()}
     if stored is not None:
@@ -35,12 +34,12 @@ def open_images(
         shutil.copyfile(stored.path, files["stored"])
     inspected = [inspect(side, image, files[side].name) for side, image in images.items()]
     gates = check_gates(record.width, record.height, record.scene_hash, inspected)
-    record = record.model_copy(update={"gates": gates})
+    record = changed(record, gates=gates)
     failed = [gate.message for gate in gates if not gate.passed]
     if failed:
         return ended(record, Status.ENGINE_FAILED, "\n".join(failed)), images
     sides, differences = write_pictures(images, files, place, record.exposure_stops)
-    return record.model_copy(update={"images": sides, "differences": differences}), images
+    return changed(record, images=sides, differences=differences), images
 
 
 def inspect(side: str, image: ImageLayers, file: str) -> Inspected:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
+from vitrail.base.changed import changed
 from vitrail.base.exit_code import ExitCode
 from vitrail.judge.exit_code import of_run, of_scene
 from vitrail.judge.false_alarms import SUITE_FALSE_ALARM_RATE, sidak
@@ -28,7 +29,7 @@ def judge_scene(run: SceneRun, rules: Thresholds, level: float) -> SceneResult:
     update: dict[str, object] = {"observations": observations, "verdict": verdict}
     if verdict is None:
         update |= {"status": Status.SCENE_ERROR, "message": "the scene observes nothing; add an `observe` entry"}
-    return run.record.model_copy(update=update)
+    return changed(run.record, **update)
 
 
 def judge(
@@ -69,4 +70,4 @@ def _rate(rules: Mapping[Path, Thresholds]) -> float:
 
 
 def _with_exit_code(record: SceneResult) -> SceneResult:
-    return record.model_copy(update={"exit_code": of_scene(record.status, record.verdict)})
+    return changed(record, exit_code=of_scene(record.status, record.verdict))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from vitrail.base.changed import changed
 from vitrail.judge.records import SceneResult, Status
 from vitrail.pipeline.job import Job
 from vitrail.pipeline.record_parts import plan_records
@@ -45,12 +46,12 @@ def record_of_job(job: Job, name: str, request: Request) -> SceneResult:
         "settings": job.settings.as_record(),
         "warnings": job.plan.warnings,
     }
-    return record_of_scene(job.loaded, name, again).model_copy(update=planned)
+    return changed(record_of_scene(job.loaded, name, again), **planned)
 
 
 def ended(record: SceneResult, status: Status, message: str) -> SceneResult:
     """The record of a scene that came to no verdict."""
-    return record.model_copy(update={"status": status, "message": message})
+    return changed(record, status=status, message=message)
 
 
 def reproduce(path: Path, quality: str, request: Request) -> str:

@@ -9,6 +9,7 @@ from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
 
+from vitrail.base.changed import changed
 from vitrail.images.exr import ImageLayers, read_image
 from vitrail.judge.comparison import Pair
 from vitrail.judge.gates import check_gates, gate_same_exposure
@@ -64,7 +65,7 @@ def score(
     elif unproven and needs_proof:
         run = behind_gate(run, f"{unproven}; {REMEDY}")
     elif unproven:
-        run = replace(run, record=run.record.model_copy(update={"warnings": (*run.record.warnings, unproven)}))
+        run = replace(run, record=changed(run.record, warnings=(*run.record.warnings, unproven)))
     results = judge([*proofs, run], about_run(command))
     out.mkdir(parents=True, exist_ok=True)
     write_results(results, out / "results.json")
@@ -93,11 +94,11 @@ def _measured(
     again = " ".join(["vitrail score", str(loaded.path), *map(str, files.values()), *options, "--out out"])
     makers = tuple(_maker(side, image) for side, image in images.items())
     record = record_of_scene(loaded, name, again)
-    record = record.model_copy(update={"plan": plan_records(prepare(loaded).plan), "engines": makers})
+    record = changed(record, plan=plan_records(prepare(loaded).plan), engines=makers)
     inspected = [inspect(side, image, str(files[side])) for side, image in images.items()]
     gates = check_gates(record.width, record.height, record.scene_hash, inspected)
     gates += tuple(gate_same_exposure(*pair) for pair in pairwise(inspected))
-    record = record.model_copy(update={"gates": gates})
+    record = changed(record, gates=gates)
     failed = [gate.message for gate in gates if not gate.passed]
     if failed:
         return SceneRun(ended(record, Status.GATE_FAILED, "\n".join(failed)))
@@ -114,7 +115,7 @@ def _measured(
     if not any(each.measured or each.unmeasured for each in observed):
         return SceneRun(ended(record, Status.SCENE_ERROR, NOTHING_KNOWN))
     whole = global_metrics(Pair.CANDIDATE_REFERENCE, images, scene.image.exposure_stops)
-    record = record.model_copy(update={"images": sides, "differences": differences, "global_metrics": whole})
+    record = changed(record, images=sides, differences=differences, global_metrics=whole)
     return SceneRun(record, observed, references=folder)
 
 

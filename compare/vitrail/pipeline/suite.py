@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
+from vitrail.base.changed import changed
 from vitrail.judge.records import Results, Run, SceneResult, write_results
 from vitrail.judge.references import read_scene_truth, references_folder
 from vitrail.judge.stored import read_stored
@@ -78,11 +79,11 @@ class Suite:
         spent = {"wall_s": round(time.monotonic() - self.begun_s, 3), "interrupted": self.interrupted}
         results = judge(
             [self.runs[name] for name in self.scenes if name in self.runs],
-            self.about.model_copy(update=spent),
+            changed(self.about, **spent),
             looks=1 + self.request.rounds,
             judge_one=self._judged,
         )
-        results = results.model_copy(update={"scenes": tuple(map(self._with_price, results.scenes))})
+        results = changed(results, scenes=tuple(map(self._with_price, results.scenes)))
         write_results(results, self.request.out / "results.json")
         return results
 
@@ -97,7 +98,7 @@ class Suite:
         left_s = max(self.left_s[scene.name], 0.0)
         is_fixed = self.scenes[scene.name].scene.image.samples is not None
         deal = offer(scene, left_s, self.request.budget_s, fixed_samples=is_fixed)
-        return scene.model_copy(update={"more_samples": deal})
+        return changed(scene, more_samples=deal)
 
 
 def check_references(scenes: Sequence[Loaded], request: Request) -> None:

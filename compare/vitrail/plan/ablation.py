@@ -14,6 +14,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
+from vitrail.base.changed import changed
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.base.vector import length
 from vitrail.geometry.shapes.mesh import PlacedMesh
@@ -88,15 +89,15 @@ def _of_light(world: World, plan: Plan) -> list[Ablation]:
     """Indirect light, and the shadows of opaque bodies."""
     scene, found = world.scene, []
     if plan.requires(P.INDIRECT_LIGHT):
-        transport = scene.transport.model_copy(update={"indirect": "none"})
-        own, dark = frozenset({P.INDIRECT_LIGHT}), scene.model_copy(update={"transport": transport})
+        transport = changed(scene.transport, indirect="none")
+        own, dark = frozenset({P.INDIRECT_LIGHT}), changed(scene, transport=transport)
         found.append(Ablation(P.INDIRECT_LIGHT.value, "surfaces do not light each other", own, own, dark))
     if plan.requires(P.SHADOW):
         names = {item.name for item in _blockers(world)}
         kept = tuple(item for item in scene.objects if item.name not in names)
         touched = frozenset({P.SHADOW, P.INDIRECT_LIGHT})
         words = "opaque bodies that may shadow the patch are taken away"
-        less = scene.model_copy(update={"objects": kept})
+        less = changed(scene, objects=kept)
         found.append(Ablation(P.SHADOW.value, words, frozenset({P.SHADOW}), touched, less))
     return found
 
@@ -118,8 +119,8 @@ def _of_bodies(scene: Scene, plan: Plan) -> list[Ablation]:
 def _with_materials(scene: Scene, change: Callable[[Material], dict[str, Any]]) -> Scene:
     """Change the materials that objects have; one that none has is nobody's business."""
     used = {item.material for item in scene.objects}
-    changed = {name: scene.materials[name].model_copy(update=change(scene.materials[name])) for name in used}
-    return scene.model_copy(update={"materials": {**scene.materials, **changed}})
+    altered = {name: changed(scene.materials[name], **change(scene.materials[name])) for name in used}
+    return changed(scene, materials={**scene.materials, **altered})
 
 
 def _of_one_index(material: Material, middle_steps: float) -> dict[str, Any]:
@@ -184,7 +185,7 @@ def _bare(scene: Scene) -> Scene:
 
     kept = tuple(item for item in scene.objects if not is_only_specular(item))
     matt = _with_materials(scene, lambda m: _without_specular(m) if m.is_specular else {})
-    return matt.model_copy(update={"objects": kept})
+    return changed(matt, objects=kept)
 
 
 def _split(scene: Scene) -> tuple[Phenomenon, ...]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from vitrail.base.changed import changed
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.optics.dispersion import reference_ior
 from vitrail.plan.evidence.surfaces import is_weak_mirror
@@ -17,14 +18,13 @@ def reduced(scene: Scene, plan: Plan) -> Scene:
     """
     materials = {name: _reduced(material, plan) for name, material in scene.materials.items()}
     indirect = scene.transport.indirect if plan.requires(Phenomenon.INDIRECT_LIGHT) else "none"
-    transport = scene.transport.model_copy(
-        update={
-            "indirect": indirect,
-            "max_reflections": plan.chain.reflections,
-            "max_transmissions": plan.chain.transmissions,
-        }
+    transport = changed(
+        scene.transport,
+        indirect=indirect,
+        max_reflections=plan.chain.reflections,
+        max_transmissions=plan.chain.transmissions,
     )
-    return scene.model_copy(update={"materials": materials, "transport": transport})
+    return changed(scene, materials=materials, transport=transport)
 
 
 def _reduced(material: Material, plan: Plan) -> Material:
@@ -37,4 +37,4 @@ def _reduced(material: Material, plan: Plan) -> Material:
         update |= {"attenuation": None, "absorption_per_m": None}
     if not plan.requires(Phenomenon.REFLECTION) and is_weak_mirror(material):
         update["reflection"] = (0.0, 0.0, 0.0)
-    return material.model_copy(update=update)
+    return changed(material, **update)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 
-from vitrail.base.changed import changed
+from vitrail.base.changed import changed, unchecked
 from vitrail.base.colour import Triplet, times
 from vitrail.scene.model import Area, Directional, Light, Material, Object, Rectangle, Scene, Sphere, Transport
 
@@ -15,11 +15,11 @@ Fields = Mapping[str, object]
 
 
 def materials(change: Callable[[Material], Fields]) -> Misreading:
-    """Replace fields of every material; what ``change`` returns may be empty."""
+    """Replace fields of every material; what ``change`` returns may be empty, and may break the rules of a scene."""
 
     def misread(scene: Scene) -> Scene:
-        changed = {name: _updated(material, change(material)) for name, material in scene.materials.items()}
-        return scene.model_copy(update={"materials": changed})
+        wrong = {name: unchecked(material, **change(material)) for name, material in scene.materials.items()}
+        return unchecked(scene, materials=wrong)
 
     return misread
 
@@ -30,18 +30,16 @@ def glass(change: Callable[[Material], Fields]) -> Misreading:
 
 
 def lights(change: Callable[[Light], Light]) -> Misreading:
-    return lambda scene: scene.model_copy(update={"lights": tuple(change(light) for light in scene.lights)})
+    return lambda scene: changed(scene, lights=tuple(change(light) for light in scene.lights))
 
 
 def objects(change: Callable[[Object], Object]) -> Misreading:
-    return lambda scene: scene.model_copy(update={"objects": tuple(change(item) for item in scene.objects)})
+    return lambda scene: changed(scene, objects=tuple(change(item) for item in scene.objects))
 
 
 def transport(**changes: object) -> Misreading:
     def misread(scene: Scene) -> Scene:
-        return scene.model_copy(
-            update={"transport": Transport.model_validate({**scene.transport.model_dump(), **changes})}
-        )
+        return changed(scene, transport=Transport.model_validate({**scene.transport.model_dump(), **changes}))
 
     return misread
 
@@ -130,8 +128,3 @@ def brighter_suns(factor: float) -> Misreading:
         return changed(light, emitter=changed(emitter, irradiance=times(emitter.irradiance, factor)))
 
     return lights(change)
-
-
-def _updated(material: Material, changes: Fields) -> Material:
-    """A changed copy, not checked again: a defect may break the rules that a scene keeps."""
-    return material.model_copy(update=changes)

@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 
+from vitrail.base.changed import changed
 from vitrail.base.engine_name import EngineName
 from vitrail.base.record import JsonObject
 from vitrail.engines.base import Rendering
@@ -72,8 +73,8 @@ class Measure:
         changes = {name: value for name, value in wishes.items() if name != "image_scale"}
         transport = Transport.model_validate({**scene.transport.model_dump(), **changes})
         size = {"width": scene.image.width * scale, "height": scene.image.height * scale}
-        image = scene.image.model_copy(update=size)
-        return replace(self._loaded, scene=scene.model_copy(update={"transport": transport, "image": image}))
+        image = changed(scene.image, **size)
+        return replace(self._loaded, scene=changed(scene, transport=transport, image=image))
 
 
 def _rendered(spec: JsonObject, loaded: Loaded, folder: Path) -> tuple[Rendering, float]:

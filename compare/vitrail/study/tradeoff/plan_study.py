@@ -16,6 +16,7 @@ from pathlib import Path
 import numpy as np
 from scipy import stats
 
+from vitrail.base.changed import changed
 from vitrail.base.engine_name import EngineName
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.base.progress import Progress, silent
@@ -129,7 +130,7 @@ def _small(scene: Scene, pixels: int) -> Scene:
     width, height = scene.image.width, scene.image.height
     shrink = min(1.0, math.sqrt(pixels / (width * height)))
     size = {"width": max(1, round(width * shrink)), "height": max(1, round(height * shrink))}
-    return scene.model_copy(update={"image": scene.image.model_copy(update=size)})
+    return changed(scene, image=changed(scene.image, **size))
 
 
 def _small_job(loaded: Loaded, spec: JsonObject) -> Job:

@@ -42,8 +42,8 @@ def without(scene: Scene, plan: Plan, phenomenon: Phenomenon) -> tuple[Scene, Pl
         case Phenomenon.REFLECTION:
             return scene, replace(less, chain=replace(plan.chain, reflections=0))
         case Phenomenon.TOTAL_INTERNAL_REFLECTION:
-            paper = scene.paper.model_copy(update={"tir": "drop"})
-            return scene.model_copy(update={"paper": paper}), less
+            paper = changed(scene.paper, tir="drop")
+            return changed(scene, paper=paper), less
         case Phenomenon.DIFFUSION:
             return _with_materials(scene, lambda material: {"diffuse": (0.0, 0.0, 0.0)}), less
         case Phenomenon.REFRACTION:
@@ -64,8 +64,8 @@ def without(scene: Scene, plan: Plan, phenomenon: Phenomenon) -> tuple[Scene, Pl
 
 
 def _with_materials(scene: Scene, change: Callable[[Material], Fields]) -> Scene:
-    materials = {name: material.model_copy(update=change(material)) for name, material in scene.materials.items()}
-    return scene.model_copy(update={"materials": materials})
+    materials = {name: changed(material, **change(material)) for name, material in scene.materials.items()}
+    return changed(scene, materials=materials)
 
 
 def _straight(material: Material) -> Fields:
