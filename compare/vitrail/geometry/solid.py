@@ -8,11 +8,13 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Self
 
 import numpy as np
+from pydantic import ValidationError
 
+from vitrail.base.changed import changed
 from vitrail.base.fault import Fault
 from vitrail.base.vector import Vec
 from vitrail.geometry.bounds import Bounds
@@ -45,7 +47,16 @@ class Solid(ABC):
 
     @abstractmethod
     def grown(self, by_m: float) -> Self | None:
-        """The solid with its surface moved outwards, below 0 inwards; None for what is infinite or flat."""
+        """The solid with its surface moved outwards, below 0 inwards; None for what is infinite or flat,
+        and where nothing would be left.
+        """
+
+    def _with(self, **sizes: object) -> Self | None:
+        """The solid with other sizes; None where its shape cannot have them, as when nothing is left of it."""
+        try:
+            return replace(self, shape=changed(self.shape, **sizes))
+        except ValidationError:
+            return None
 
     @property
     @abstractmethod

@@ -13,6 +13,7 @@ from pathlib import Path
 
 import numpy as np
 
+from vitrail.base.changed import unchecked
 from vitrail.base.vector import Vec
 from vitrail.geometry.bounds import Bounds, around, together
 from vitrail.geometry.camera import View
@@ -59,10 +60,10 @@ class World:
         return replace(self, scene=scene, solids=solids)
 
     def with_priorities(self, priorities: Sequence[int]) -> World:
-        """The same solids with other ranks among those that overlap."""
+        """The same solids with other ranks among those that overlap; they may lie beyond those that a file may give."""
         ranked = zip(self.scene.objects, priorities, strict=True)
-        objects = tuple(item.model_copy(update={"priority": priority}) for item, priority in ranked)
-        return replace(self, scene=self.scene.model_copy(update={"objects": objects}))
+        objects = tuple(unchecked(item, priority=priority) for item, priority in ranked)
+        return replace(self, scene=unchecked(self.scene, objects=objects))
 
     def with_solids(self, changed: Mapping[int, Solid]) -> World:
         """The world with some solids in the place of others; the objects of the scene keep their numbers."""

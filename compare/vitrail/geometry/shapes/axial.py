@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from vitrail.base.changed import unchecked
 from vitrail.base.vector import Vec, add, length, scale, subtract, unit
 from vitrail.geometry.bounds import Bounds, about_disc, together
 from vitrail.geometry.face import Face, flat_face, tube_face
@@ -97,12 +98,12 @@ class PlacedCylinder(AxialSolid):
 
     def moved(self, frame: Frame) -> PlacedCylinder:
         ends = {"from_": frame.point(self.shape.from_), "to": frame.point(self.shape.to)}
-        return PlacedCylinder(self.shape.model_copy(update=ends), Frame())
+        return PlacedCylinder(unchecked(self.shape, **ends), Frame())
 
-    def grown(self, by_m: float) -> PlacedCylinder:
+    def grown(self, by_m: float) -> PlacedCylinder | None:
         outward = scale(unit(self.axis), by_m)
         ends = {"from_": subtract(self.shape.from_, outward), "to": add(self.shape.to, outward)}
-        return PlacedCylinder(self.shape.model_copy(update={**ends, "radius": self.shape.radius + by_m}), self.frame)
+        return self._with(**ends, radius=self.shape.radius + by_m)
 
     def _mantle(self, axis: Vec) -> Face:
         return tube_face(axis, self.shape.from_, self.shape.radius)
@@ -120,9 +121,9 @@ class PlacedCone(AxialSolid):
 
     def moved(self, frame: Frame) -> PlacedCone:
         ends = {"from_": frame.point(self.shape.from_), "to": frame.point(self.shape.to)}
-        return PlacedCone(self.shape.model_copy(update=ends), Frame())
+        return PlacedCone(unchecked(self.shape, **ends), Frame())
 
-    def grown(self, by_m: float) -> PlacedCone:
+    def grown(self, by_m: float) -> PlacedCone | None:
         """Scaled about its middle until it is thicker by that much on both sides."""
         factor, middle = 1 + 2 * by_m / self.thickness_m, scale(add(self.shape.from_, self.shape.to), 0.5)
 
@@ -130,9 +131,8 @@ class PlacedCone(AxialSolid):
             return add(middle, scale(subtract(point, middle), factor))
 
         first, last = self.radii
-        update = {"radius_from": first * factor, "radius_to": last * factor}
-        update |= {"from_": scaled(self.shape.from_), "to": scaled(self.shape.to)}  # type: ignore[dict-item]
-        return PlacedCone(self.shape.model_copy(update=update), self.frame)
+        ends = {"from_": scaled(self.shape.from_), "to": scaled(self.shape.to)}
+        return self._with(**ends, radius_from=first * factor, radius_to=last * factor)
 
     def _mantle(self, axis: Vec) -> Face:
         """By its tip and its slope, along the direction in which it widens."""

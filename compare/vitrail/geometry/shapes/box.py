@@ -27,10 +27,9 @@ class PlacedBox(Solid):
     def moved(self, frame: Frame) -> PlacedBox:
         return PlacedBox(self.shape, frame)
 
-    def grown(self, by_m: float) -> PlacedBox:
+    def grown(self, by_m: float) -> PlacedBox | None:
         margin = (by_m, by_m, by_m)
-        update = {"min": subtract(self.shape.min, margin), "max": add(self.shape.max, margin)}
-        return PlacedBox(self.shape.model_copy(update=update), self.frame)
+        return self._with(min=subtract(self.shape.min, margin), max=add(self.shape.max, margin))
 
     @property
     def corners(self) -> np.ndarray:

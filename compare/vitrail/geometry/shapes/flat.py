@@ -9,6 +9,7 @@ from itertools import product
 
 import numpy as np
 
+from vitrail.base.changed import unchecked
 from vitrail.base.vector import Vec, add, cross, dot, length, scale, subtract, unit
 from vitrail.geometry.bounds import EVERYWHERE, Bounds, about_disc, about_parallelogram
 from vitrail.geometry.face import Face, flat_face
@@ -50,12 +51,12 @@ class PlacedPlane(FlatSolid):
 
     def moved(self, frame: Frame) -> PlacedPlane:
         point, normal = frame.point(self.shape.point), frame.direction(self.shape.normal)
-        return PlacedPlane(self.shape.model_copy(update={"point": point, "normal": normal}), Frame())
+        return PlacedPlane(unchecked(self.shape, point=point, normal=normal), Frame())
 
     def turned(self) -> PlacedPlane:
         """The same plane as the surface of the half space on its other side."""
         x, y, z = self.shape.normal
-        return PlacedPlane(self.shape.model_copy(update={"normal": (-x, -y, -z)}), self.frame)
+        return PlacedPlane(unchecked(self.shape, normal=(-x, -y, -z)), self.frame)
 
     @property
     def bounds(self) -> Bounds:
@@ -117,7 +118,7 @@ class PlacedRectangle(OpenFlat):
             "u": frame.direction(self.shape.u),
             "v": frame.direction(self.shape.v),
         }
-        return PlacedRectangle(self.shape.model_copy(update=update), Frame())
+        return PlacedRectangle(unchecked(self.shape, **update), Frame())
 
     @property
     def bounds(self) -> Bounds:
@@ -158,7 +159,7 @@ class PlacedDisc(OpenFlat):
 
     def moved(self, frame: Frame) -> PlacedDisc:
         center, normal = frame.point(self.shape.center), frame.direction(self.shape.normal)
-        return PlacedDisc(self.shape.model_copy(update={"center": center, "normal": normal}), Frame())
+        return PlacedDisc(unchecked(self.shape, center=center, normal=normal), Frame())
 
     @property
     def bounds(self) -> Bounds:

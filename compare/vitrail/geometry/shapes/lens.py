@@ -27,12 +27,11 @@ class PlacedLens(Solid):
     def moved(self, frame: Frame) -> PlacedLens:
         return PlacedLens(self.shape, frame)
 
-    def grown(self, by_m: float) -> PlacedLens:
+    def grown(self, by_m: float) -> PlacedLens | None:
         """Scaled about its middle until it is thicker by that much on both sides."""
         factor = 1 + 2 * by_m / self.thickness_m
         lengths = ("radius_front", "radius_back", "thickness", "diameter")
-        update = {key: getattr(self.shape, key) * factor for key in lengths}
-        return PlacedLens(self.shape.model_copy(update=update), self.frame)
+        return self._with(**{key: getattr(self.shape, key) * factor for key in lengths})
 
     @property
     def bounds(self) -> Bounds:

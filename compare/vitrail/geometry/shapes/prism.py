@@ -31,12 +31,12 @@ class PlacedPrism(Solid):
     def moved(self, frame: Frame) -> PlacedPrism:
         return PlacedPrism(self.shape, frame)
 
-    def grown(self, by_m: float) -> PlacedPrism:
+    def grown(self, by_m: float) -> PlacedPrism | None:
         """Scaled about its middle until it is thicker by that much on both sides."""
         corners, factor = self.shape.corners, 1 + 2 * by_m / self.thickness_m
         x, y = (sum(corner[axis] for corner in corners) / len(corners) for axis in (0, 1))
         profile = tuple(((a - x) * factor + x, (b - y) * factor + y) for a, b in corners)
-        return PlacedPrism(Prism(height=self.shape.height * factor, profile=profile), self.frame)
+        return self._with(height=self.shape.height * factor, profile=profile, apex_deg=None, side=None)
 
     @property
     def _ends(self) -> list[Vec]:

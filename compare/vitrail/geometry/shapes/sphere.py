@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from vitrail.base.changed import unchecked
 from vitrail.base.vector import Vec, add, length, scale, subtract
 from vitrail.geometry.bounds import Bounds, about
 from vitrail.geometry.face import Face, round_face
@@ -22,10 +23,10 @@ class PlacedSphere(Solid):
     shape: Sphere
 
     def moved(self, frame: Frame) -> PlacedSphere:
-        return PlacedSphere(self.shape.model_copy(update={"center": frame.point(self.shape.center)}), Frame())
+        return PlacedSphere(unchecked(self.shape, center=frame.point(self.shape.center)), Frame())
 
-    def grown(self, by_m: float) -> PlacedSphere:
-        return PlacedSphere(self.shape.model_copy(update={"radius": self.shape.radius + by_m}), self.frame)
+    def grown(self, by_m: float) -> PlacedSphere | None:
+        return self._with(radius=self.shape.radius + by_m)
 
     @property
     def bounds(self) -> Bounds:
