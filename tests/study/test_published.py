@@ -7,11 +7,13 @@ from pathlib import Path
 import pytest
 
 from tests.study.published import ROOT, STUDIES, TRADEOFFS, published, words
+from vitrail.base.engine_name import EngineName
 from vitrail.pipeline.task_log import read_rows
 from vitrail.report.atlas_page import finding
 from vitrail.study.extremes.atlas import AXES, STACKS, write_scenes
-from vitrail.study.tradeoff.analysis import analyse_rows
+from vitrail.study.tradeoff.analysis import TARGETS, analyse_rows
 from vitrail.study.tradeoff.plan_study import analyse_plans
+from vitrail.study.tradeoff.sentence import price_in_words
 
 
 @pytest.mark.parametrize("name", TRADEOFFS)
@@ -21,8 +23,11 @@ def test_the_stored_analysis_is_that_of_the_stored_samples(name: str) -> None:
     assert stored.failures == ()
 
 
-def test_the_readme_quotes_the_price_of_a_caustic() -> None:
-    assert published("ball_lens/tradeoff.json").phenomena["caustic"].sentence in words(ROOT / "README.md")
+def test_the_readme_has_the_prices_of_a_caustic() -> None:
+    engines = published("ball_lens/tradeoff.json").phenomena["caustic"].engines
+    for target in TARGETS:
+        tracer, povray = (price_in_words(engines[name].price_s[str(target)]) for name in EngineName)
+        assert f"| {100 * target:g} % | {tracer} | {povray} |" in words(ROOT / "README.md")
 
 
 @pytest.mark.parametrize("name", TRADEOFFS)

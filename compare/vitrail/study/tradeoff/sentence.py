@@ -23,7 +23,7 @@ def sentence(
     """
     errors = _listed([f"{100 * target:g} %" for target in targets])
     parts = [
-        f"{NAMES[engine]} {_listed([_words(prices[engine][str(target)]) for target in targets])}"
+        f"{NAMES[engine]} {_listed([price_in_words(prices[engine][str(target)]) for target in targets])}"
         for engine in NAMES
         if engine in prices
     ]
@@ -38,7 +38,8 @@ def _listed(parts: list[str]) -> str:
     return f"{', '.join(parts[:-1])} and {parts[-1]}"
 
 
-def _words(price: Price) -> str:
+def price_in_words(price: Price) -> str:
+    """``0.17 CPU s``, *at most* where the cheapest setting tried is good enough already, or why there is no price."""
     if price.status == "below_reference":
         return "not known"
     if price.cpu_s is None:
