@@ -129,7 +129,7 @@ class World:
     def _lie_on_each_other(self, a: int, b: int) -> bool:
         """Whether the surfaces of two solids that share no room share an area."""
         shared = shared_points(self.solids[a], self.solids[b])
-        return len(shared) >= 3 and not self.overlap(a, b) and is_area(shared)
+        return is_area(shared) and not self.overlap(a, b)
 
     # --- the whole ----------------------------------------------------------------------------------------------------
 
