@@ -8,8 +8,8 @@ Every figure is read from the files or from one run of the program:
 * files that name a shape: those with the word ``Lens``, which every shape's places share;
 * matches on a shape: ``match`` statements with three or more cases of shapes;
 * ``Any`` and ``dict[str, Any]``: uses in the package;
-* the walk: ``vitrail emit povray`` on one scene, from the entry of ``lower_povray`` on. Each function counts when it is
-  entered first. A *move* goes to another file, a *climb* to a file of a higher layer, a *return* to a file seen before;
+* the walk: whoever follows the scene (today the ``World`` that holds it) through ``lower_povray``, from call to call. A
+  *move* goes to another file, a *climb* to a file of a higher layer, a *return* to a file seen before;
 * lines of files and functions, median and 95th percentile (C++ functions are found by their braces);
 * repeated lines: lines of code in runs of six or more that stand in a second place too.
 """
@@ -18,11 +18,9 @@ from __future__ import annotations
 
 import argparse
 import ast
-import os
 import re
 import statistics
 import subprocess
-import sys
 import tempfile
 from collections import Counter
 from collections.abc import Iterator
@@ -32,30 +30,8 @@ ROOT = Path(__file__).resolve().parents[1]
 SHAPES = {"Sphere", "Plane", "Rectangle", "Disc", "Box", "Cylinder", "Cone", "Prism", "Lens", "Mesh"}
 RUN = 6
 """Lines that make a repetition."""
-WALKED = "scenes/calibration/prism_screen.yaml"
-
-WALKER = """
-import sys, tempfile
-from pathlib import Path
-# Read the package of this checkout, not the one that is installed.
-sys.meta_path = [each for each in sys.meta_path if "editable" not in type(each).__module__]
-sys.path.insert(0, "compare")
-seen, files = set(), []
-def enter(frame, event, _):
-    code = frame.f_code
-    if event != "call" or "/vitrail/" not in code.co_filename or code in seen:
-        return
-    if files or code.co_name == "lower_povray":
-        seen.add(code)
-        files.append(code.co_filename.split("/vitrail/")[1])
-from vitrail.commands.app import app
-import vitrail.lower.povray
-sys.setprofile(enter)
-with tempfile.TemporaryDirectory() as out:
-    app(["emit", "povray", sys.argv[1], "--out", out], standalone_mode=False)
-sys.setprofile(None)
-print("\\n".join(["walk:", *files]))
-"""
+WALKED = "vitrail.lower.povray.lower:lower_povray"
+"""Where the walk begins, with the first parameter."""
 
 
 def main() -> None:
@@ -122,21 +98,76 @@ def matches_on_shapes(tree: ast.AST) -> int:
 
 
 def walk(tree: Path) -> dict[str, int]:
-    """Moves, climbs and returns between files on the way through ``lower_povray``."""
-    environment = {**os.environ, "PYTHONDONTWRITEBYTECODE": "1"}
-    command = [sys.executable, "-c", WALKER, str(ROOT / WALKED)]
-    ran = subprocess.run(command, env=environment, cwd=tree, capture_output=True, text=True, check=True)
-    files = ran.stdout.split("walk:\n", 1)[1].split()
+    """Moves, climbs and returns between files of whoever follows the first parameter of ``WALKED``."""
+    module, name = WALKED.split(":")
+    files = list(Walk(tree / "compare").follow(module, name, 0))
     floors = layers(tree)
     counts, seen = Counter({"moves": 0, "climbs": 0, "returns": 0}), {files[0]}
     for here, there in zip(files, files[1:], strict=False):
         if here == there:
             continue
         counts["moves"] += 1
-        counts["climbs"] += floors.index(there.split("/")[0]) > floors.index(here.split("/")[0])
+        counts["climbs"] += floors.index(there.split(".")[1]) > floors.index(here.split(".")[1])
         counts["returns"] += there in seen
         seen.add(there)
     return dict(counts)
+
+
+class Walk:
+    """Follows a value through the functions that are handed it, or a part of it, by a name that is imported.
+
+    Each function is entered once for each of its parameters, in the order in which the code is written.
+    """
+
+    def __init__(self, root: Path) -> None:
+        self.root, self.entered = root, set[tuple[str, str, int]]()
+        self.modules: dict[str, ast.Module | None] = {}
+
+    def follow(self, module: str, name: str, place: int) -> Iterator[str]:
+        """The modules that the value is in, one after the other, back in ``module`` after each call."""
+        function = self._function(module, name)
+        if function is None or (module, name, place) in self.entered or place >= len(function.args.args):
+            return
+        self.entered.add((module, name, place))
+        yield module
+        own = function.args.args[place].arg
+        calls = [node for node in ast.walk(function) if isinstance(node, ast.Call) and isinstance(node.func, ast.Name)]
+        for call in sorted(calls, key=lambda each: (each.lineno, each.col_offset)):
+            assert isinstance(call.func, ast.Name)
+            home = self._home(module, call.func.id)
+            for position, argument in enumerate(call.args):
+                if home is not None and own in names_in(argument):
+                    visited = list(self.follow(home, call.func.id, position))
+                    yield from [*visited, module] if visited else []
+
+    def _module(self, module: str) -> ast.Module | None:
+        if module not in self.modules:
+            path = self.root / (module.replace(".", "/") + ".py")
+            path = path if path.is_file() else path.with_suffix("") / "__init__.py"
+            self.modules[module] = ast.parse(path.read_text(encoding="utf-8")) if path.is_file() else None
+        return self.modules[module]
+
+    def _function(self, module: str, name: str) -> ast.FunctionDef | None:
+        tree = self._module(module)
+        found = [
+            each for each in (tree.body if tree else []) if isinstance(each, ast.FunctionDef) and each.name == name
+        ]
+        return found[0] if found else None
+
+    def _home(self, module: str, name: str) -> str | None:
+        """The module that defines a function which this one calls; None for what is not ours."""
+        if self._function(module, name) is not None:
+            return module
+        tree = self._module(module)
+        for node in tree.body if tree else []:
+            is_ours = isinstance(node, ast.ImportFrom) and (node.module or "").startswith("vitrail")
+            if is_ours and name in {each.asname or each.name for each in node.names}:
+                return self._home(node.module, name)
+        return None
+
+
+def names_in(node: ast.AST) -> set[str]:
+    return {each.id for each in ast.walk(node) if isinstance(each, ast.Name)}
 
 
 def layers(tree: Path) -> list[str]:
