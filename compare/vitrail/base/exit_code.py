@@ -1,4 +1,8 @@
-"""How the programs of Vitrail end: the one table of their exit codes. The tracer's own are the same numbers."""
+"""How the programs of Vitrail end: the one table of their exit codes.
+
+The tracer's own are the same numbers, but for 1: it judges nothing, and ends with 1 where it cannot write or meets a
+limit.
+"""
 
 from __future__ import annotations
 
