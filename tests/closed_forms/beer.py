@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from mpmath import exp, mpf, quad
+from mpmath import exp, mpf, quad, sqrt
 
 
 def slab_left(absorption_per_m, thickness):
@@ -33,3 +33,14 @@ def absorbing_film_way_by_way(indices, absorption_per_m, thickness, ways=12):
     upper, lower = ((above - inside) / (above + inside)) ** 2, ((inside - below) / (inside + below)) ** 2
     crossed = [slab_left(absorption_per_m, (2 * k + 1) * mpf(thickness)) * (upper * lower) ** k for k in range(ways)]
     return (1 - upper) * (1 - lower) * sum(crossed)
+
+
+def torus_mean(absorption_per_m, radii, half):
+    """Mean through a torus seen along its axis, over a rectangle with half edges ``half`` about its tube."""
+    ring, tube = map(mpf, radii)
+    across, along = map(mpf, half)
+
+    def left(x, z):
+        return slab_left(absorption_per_m, 2 * sqrt(tube**2 - (sqrt(x * x + z * z) - ring) ** 2))
+
+    return quad(left, [ring - across, ring, ring + across], [0, along]) / (2 * across * along)

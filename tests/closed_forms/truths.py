@@ -82,6 +82,10 @@ def _wedge(absorption: int) -> Computed:
     return lambda: beer.wedge_mean(absorption, mpf("0.5"), mpf("0.1"), mpf("0.9"))
 
 
+def _ring_of_matter(absorption: int) -> Computed:
+    return lambda: beer.torus_mean(absorption, ("1", "0.4"), ("0.2", "0.05"))
+
+
 def _mirrored(reflection: str) -> Computed:
     return lambda: cards.half_and_half(reflection, 1, mpf("0.25"))
 
@@ -150,6 +154,8 @@ SCENES: dict[tuple[str, str, str], Computed] = {
     **_coloured("closed_room", "wall", "mean_radiance", (lambda: 1 / pi,) * 3),
     **_coloured("closed_room", "wall", "indirect_radiance", (lambda: 1 / (2 * pi),) * 3),
     **_coloured("tumbler", "through", "mean_radiance", tuple(_tumbler(a) for a in ("0.5", "2", "8"))),
+    **_coloured("turned_tumbler", "through", "mean_radiance", tuple(_tumbler(a) for a in ("0.5", "2", "8"))),
+    **_coloured("absorbing_torus", "across", "mean_radiance", tuple(_ring_of_matter(a) for a in (1, 2, 4))),
     **_coloured("beer_slab", "through", "absorption", tuple(lambda a=a: mpf(a) for a in ("0.5", "2", "8"))),
     **_coloured("beer_wedge", "slope", "absorption_fit", tuple(lambda a=a: mpf(a) for a in (1, 2, 4))),
     **_coloured("beer_wedge", "slope", "mean_radiance", tuple(_wedge(a) for a in (1, 2, 4))),

@@ -17,6 +17,8 @@ SOLIDS = {
     "cone": {"from": [0, 0, 0], "to": [0.5, 0.5, 0], "radius_from": 0.6, "radius_to": 0.1},
     "prism": {"apex_deg": 60, "side": 1, "height": 1.5},
     "lens": {"radius_front": 1.2, "radius_back": 2, "thickness": 0.5, "diameter": 1},
+    "torus": {"center": [0.1, 0, 0.2], "normal": [1, 2, -1], "radius": 0.6, "radius_tube": 0.25},
+    "lathe": {"profile": [[0, -0.6], [0.7, -0.6], [0.2, 0], [0.6, 0.5], [0.4, 0.5], [0, 0]]},
     "concave": {"radius_front": -1.2, "radius_back": -0.8, "thickness": 0.2, "diameter": 1},
 }
 

@@ -72,6 +72,17 @@ prisms = st.one_of(
     st.builds(model.Prism, height=positive, profile=st.lists(st.tuples(numbers, numbers), min_size=3).map(tuple)),
 )
 lenses = st.builds(model.Lens, radius_front=numbers, radius_back=numbers, thickness=positive, diameter=positive)
+tori = st.builds(
+    lambda center, normal, radius, share: model.Torus(
+        center=center, normal=normal, radius=radius, radius_tube=share * radius
+    ),
+    vectors,
+    axes,
+    positive,
+    st.floats(0.01, 0.99),
+)
+turned = st.tuples(st.floats(0, 10), numbers)
+lathes = st.builds(model.Lathe, profile=st.lists(turned, min_size=3).map(tuple))
 SHAPES = {
     "sphere": st.builds(model.Sphere, center=vectors, radius=positive),
     "plane": st.builds(model.Plane, point=vectors, normal=axes),
@@ -82,6 +93,8 @@ SHAPES = {
     "cone": cones,
     "prism": prisms,
     "lens": lenses,
+    "torus": tori,
+    "lathe": lathes,
     "mesh": st.builds(model.Mesh, file=names, smooth=st.booleans()),
 }
 EMITTERS = {

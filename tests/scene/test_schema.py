@@ -40,7 +40,8 @@ BEYOND_TYPES = {
     "overlap_of_turned_boxes", "overlap_same_priority", "checker_on_a_sphere", "camera_at_its_target",
     "camera_up_along_view", "camera_without_angle", "camera_inside_an_object", "huge_position", "blinding_light",
     "patch_outside_the_picture", "patch_behind_the_camera", "dispersion_without_direction", "unknown_pattern",
-    "prism_crossing_itself", "prism_of_two_corners", "lens_too_wide", "lens_faces_cross", "mesh_missing",
+    "prism_crossing_itself", "prism_of_two_corners", "torus_without_a_hole", "lathe_crossing_itself",
+    "lens_too_wide", "lens_faces_cross", "mesh_missing",
     "mesh_of_no_kind", "environment_missing", "mesh_with_a_hole", "mesh_inside_out", "mesh_crossing_itself",
     "mesh_without_faces", "mesh_with_a_loose_face", "mesh_overlaps_mesh",
     # Matters of YAML: no JSON value shows them.

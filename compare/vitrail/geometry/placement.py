@@ -9,16 +9,19 @@ from vitrail.geometry.frame import Frame, frame_of
 from vitrail.geometry.shapes.axial import PlacedCone, PlacedCylinder
 from vitrail.geometry.shapes.box import PlacedBox
 from vitrail.geometry.shapes.flat import PlacedDisc, PlacedPlane, PlacedRectangle
+from vitrail.geometry.shapes.lathe import PlacedLathe
 from vitrail.geometry.shapes.lens import PlacedLens
 from vitrail.geometry.shapes.mesh import PlacedMesh
 from vitrail.geometry.shapes.prism import PlacedPrism
 from vitrail.geometry.shapes.sphere import PlacedSphere
+from vitrail.geometry.shapes.torus import PlacedTorus
 from vitrail.geometry.solid import Solid
 from vitrail.scene.model import (
     Box,
     Cone,
     Cylinder,
     Disc,
+    Lathe,
     Lens,
     Mesh,
     Object,
@@ -27,6 +30,7 @@ from vitrail.scene.model import (
     Rectangle,
     Shape,
     Sphere,
+    Torus,
 )
 
 
@@ -57,6 +61,10 @@ def solid_of(shape: Shape, folder: Path | None = None) -> Solid:
             return PlacedPrism(shape, own)
         case Lens():
             return PlacedLens(shape, own)
+        case Torus():
+            return PlacedTorus(shape, own)
+        case Lathe():
+            return PlacedLathe(shape, own)
         case Mesh():
             return PlacedMesh(shape, own, None if folder is None else (folder / shape.file).resolve())
         case _:

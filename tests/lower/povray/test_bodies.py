@@ -25,6 +25,10 @@ SHAPES = {
     "biconvex": "lens: {radius_front: 0.8, radius_back: 1.1, thickness: 0.5, diameter: 1.1}",
     "biconcave": "lens: {radius_front: -0.9, radius_back: -0.7, thickness: 0.15, diameter: 1.1}",
     "meniscus": "lens: {radius_front: 0.8, radius_back: -1.2, thickness: 0.3, diameter: 1.2}",
+    "torus": "torus: {center: [0.1, 0, -0.1], normal: [1, 2, -1], radius: 0.6, radius_tube: 0.25}",
+    "thread": "torus: {center: [0, 0, 0], normal: [0, 1, 0], radius: 0.8, radius_tube: 0.1}",
+    "lathe": "lathe: {profile: [[0, -0.6], [0.7, -0.6], [0.2, 0], [0.6, 0.5], [0.4, 0.5], [0, 0]]}",
+    "tube": "lathe: {profile: [[0.4, 0.5], [0.7, 0.5], [0.6, -0.5], [0.4, -0.5]]}",
     "plano": "lens: {radius_front: 0, radius_back: 0.8, thickness: 0.4, diameter: 1.1}",
 }
 

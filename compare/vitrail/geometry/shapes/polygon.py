@@ -29,18 +29,26 @@ def depth_in_polygon(points: np.ndarray, corners: np.ndarray) -> np.ndarray:
     inside = np.zeros(len(points), bool)
     distance = np.full(len(points), np.inf)
     for a, b in zip(corners, np.roll(corners, -1, axis=0), strict=True):
-        # Count the edges that a ray towards +x crosses.
-        straddles = (a[1] > points[:, 1]) != (b[1] > points[:, 1])
-        with np.errstate(divide="ignore", invalid="ignore"):
-            crossing = a[0] + (points[:, 1] - a[1]) * (b[0] - a[0]) / (b[1] - a[1])
-        inside ^= straddles & (points[:, 0] < crossing)
-        # Keep the distance to the nearest point of any edge; a corner given twice has none.
-        edge = b - a
-        if not edge.any():
-            continue
-        along = np.clip((points - a) @ edge / (edge @ edge), 0, 1)
-        distance = np.minimum(distance, np.linalg.norm(points - a - np.outer(along, edge), axis=1))
+        inside ^= is_crossed(points, a, b)
+        distance = np.minimum(distance, distance_to_edge(points, a, b))
     return np.where(inside, distance, -distance)
+
+
+def is_crossed(points: np.ndarray, a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    """Whether rays from points (n, 2) towards +x cross an edge, which counts its lower end and not its upper one."""
+    straddles = (a[1] > points[:, 1]) != (b[1] > points[:, 1])
+    with np.errstate(divide="ignore", invalid="ignore"):
+        crossing = a[0] + (points[:, 1] - a[1]) * (b[0] - a[0]) / (b[1] - a[1])
+    return np.asarray(straddles & (points[:, 0] < crossing))
+
+
+def distance_to_edge(points: np.ndarray, a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    """Distance (n,) of points to the nearest point of an edge; infinite for an edge without a length."""
+    edge = b - a
+    if not edge.any():
+        return np.full(len(points), np.inf)
+    along = np.clip((points - a) @ edge / (edge @ edge), 0, 1)
+    return np.asarray(np.linalg.norm(points - a - np.outer(along, edge), axis=1))
 
 
 def polygon_fault(corners: Sequence[Corner]) -> Fault | None:

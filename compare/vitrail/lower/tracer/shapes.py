@@ -13,12 +13,14 @@ from vitrail.scene.model import (
     Cone,
     Cylinder,
     Disc,
+    Lathe,
     Lens,
     Mesh,
     Plane,
     Prism,
     Rectangle,
     Sphere,
+    Torus,
 )
 
 Json = dict[str, Any]
@@ -45,6 +47,10 @@ def lowered_shape(solid: Solid, folder: Path | None) -> Json:
             return {"kind": "prism", "corners": shape.corners, "height": shape.height, "frame": frame}
         case Lens():
             return {"kind": "lens", **shape.model_dump(), "frame": frame}
+        case Torus():
+            return {"kind": "torus", **shape.model_dump(), "normal": unit(shape.normal)}
+        case Lathe():
+            return {"kind": "lathe", "profile": shape.profile, "frame": frame}
         case Mesh():
             return {"kind": "mesh", "file": beside(shape.file, folder), "smooth": shape.smooth, "frame": frame}
         case _:

@@ -17,6 +17,7 @@ from vitrail.scene.model.shapes import (
     Cone,
     Cylinder,
     Disc,
+    Lathe,
     Lens,
     Mesh,
     Plane,
@@ -24,6 +25,7 @@ from vitrail.scene.model.shapes import (
     Rectangle,
     Shape,
     Sphere,
+    Torus,
 )
 from vitrail.scene.model.transport import Ambient, Paper, SpectralBands, Transport
 from vitrail.scene.model.view import Camera, Image, Observation, Orthographic, Patch, Perspective
@@ -46,6 +48,7 @@ __all__ = [
     "Ggx",
     "Glass",
     "Image",
+    "Lathe",
     "Lens",
     "Light",
     "Material",
@@ -66,6 +69,7 @@ __all__ = [
     "SpectralBands",
     "Sphere",
     "Spot",
+    "Torus",
     "Transport",
     "Vector",
 ]

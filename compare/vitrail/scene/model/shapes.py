@@ -166,6 +166,39 @@ class Lens(Part):
     diameter: Positive
 
 
+class Torus(Part):
+    """A ring torus: what lies within ``radius_tube`` of a circle of ``radius`` about ``center``, across ``normal``."""
+
+    key: ClassVar[str] = "torus"
+
+    center: Vector
+    normal: Vector
+    radius: Positive
+    radius_tube: Positive
+
+    @model_validator(mode="after")
+    def _has_a_hole(self) -> Torus:
+        refuse_zero(self.normal, "normal")
+        if not self.radius_tube < self.radius:
+            what = f"a tube of radius {self.radius_tube:g} m fills its ring of radius {self.radius:g} m"
+            raise Fault(what, "write a `radius_tube` below `radius`; `radius` goes to the middle of the tube")
+        return self
+
+
+class Lathe(Part):
+    """A polygon of corners ``[radius, height]``, turned about the y axis; the last corner joins the first."""
+
+    key: ClassVar[str] = "lathe"
+
+    profile: tuple[tuple[NotNegative, Finite], ...]
+
+    @model_validator(mode="after")
+    def _has_a_cross_section(self) -> Lathe:
+        if len(self.profile) < 3:
+            raise Fault("a profile needs at least three corners", "add some")
+        return self
+
+
 class Mesh(Part):
     """Triangles from a PLY or OBJ file beside the scene; closed and outward if the material transmits."""
 
@@ -175,5 +208,5 @@ class Mesh(Part):
     smooth: Annotated[bool, Field(strict=True)] = True
 
 
-Shape = Sphere | Plane | Rectangle | Disc | Box | Cylinder | Cone | Prism | Lens | Mesh
+Shape = Sphere | Plane | Rectangle | Disc | Box | Cylinder | Cone | Prism | Lens | Torus | Lathe | Mesh
 """Every shape that an object may have."""
