@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from vitrail.check.findings import Findings
+from vitrail.optics.dispersion import index_step, ior_position
+from vitrail.optics.glass import abbe_index
 from vitrail.scene.model import Abbe, Material, Paper
 
 _SHORTEST_NM, _LONGEST_NM = 380.0, 730.0
-_FRAUNHOFER_D_NM, _FRAUNHOFER_F_NM, _FRAUNHOFER_C_NM = 587.5618, 486.1327, 656.2725
 
 
 def check_materials(findings: Findings) -> None:
@@ -41,14 +42,7 @@ def _lowest_index(material: Material, paper: Paper) -> float | None:
     if material.ior is None or material.dispersion is None:
         return None
     if isinstance(material.dispersion, Abbe):
-        return min(_abbe_index(material.ior, material.dispersion.abbe, nm) for nm in (_SHORTEST_NM, _LONGEST_NM))
-    # Follow the paper's bands R, Y, G, B, counted from the band that `ior` belongs to [O 1.1 items 23, 24].
-    step = material.dispersion / 3 if paper.dispersion == "span" else material.dispersion
-    shift = {"red": 0.0, "d_line": 1.0, "middle": 1.5}[paper.dispersion_reference]
-    return min(material.ior + step * (band - shift) for band in range(4))
-
-
-def _abbe_index(n_d: float, abbe: float, wavelength_nm: float) -> float:
-    """Cauchy's n = A + B / lambda^2 through n_d with n_F - n_C = (n_d - 1) / V_d."""
-    slope = (n_d - 1) / abbe / (_FRAUNHOFER_F_NM**-2 - _FRAUNHOFER_C_NM**-2)
-    return n_d + slope * (wavelength_nm**-2 - _FRAUNHOFER_D_NM**-2)
+        return min(abbe_index(material.ior, material.dispersion.abbe, nm) for nm in (_SHORTEST_NM, _LONGEST_NM))
+    # Follow the paper's bands R, Y, G, B, counted from the band that `ior` belongs to.
+    step, start = index_step(material.dispersion, paper), ior_position(paper)
+    return min(material.ior + step * (band - start) for band in range(4))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import shlex
 import sys
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -11,15 +12,17 @@ from typing import TYPE_CHECKING
 import typer
 
 from vitrail.base.exit_code import ExitCode
+from vitrail.base.fault import Fault
 from vitrail.commands.comparison_options import reference_errors
 from vitrail.commands.errors import usage_error
 from vitrail.commands.target_error import parse_target_error
 
 if TYPE_CHECKING:
+    from vitrail.judge.half_error import HalfError
     from vitrail.pipeline.job import Job
     from vitrail.pipeline.passes.error_estimate import ErrorEstimate
     from vitrail.pipeline.passes.run import Finished
-    from vitrail.pipeline.passes.stop import StopCriteria
+    from vitrail.pipeline.passes.stop import StopCriteria, Target
     from vitrail.scene.load import Loaded
 
 PASSES = typer.Option(None, "--passes", min=1, help="Make so many independent passes and average them.")
@@ -62,8 +65,8 @@ def render_passes(job: Job, threads: int, out: Path, options: PassOptions) -> tu
     criteria, loaded = _stop_criteria(job.loaded, options), job.loaded
     try:
         settings = pass_settings(job.scene, job.settings, samples_given=options.samples_given)
-    except ValueError as error:
-        raise usage_error(f"settings: {error}") from None
+    except Fault as fault:
+        raise usage_error(f"--samples {job.settings.samples}: {fault}") from None
     out.parent.mkdir(parents=True, exist_ok=True)
     if not options.resume and checkpoint_path(out).is_file():
         typer.echo(f"{checkpoint_path(out)}: begins anew; --resume would go on with the passes in it", err=True)
@@ -102,7 +105,7 @@ def _estimate_line(estimate: ErrorEstimate, criteria: StopCriteria) -> str:
     return f"{start}; about {more} passes more, {more * estimate.cpu_s / estimate.passes:.2g} CPU s"
 
 
-def _known(target, errors) -> str:  # type: ignore[no-untyped-def]
+def _known(target: Target, errors: Sequence[HalfError]) -> str:
     worst = target.largest(errors)
     if worst is None:
         return f"{target} cannot be measured"

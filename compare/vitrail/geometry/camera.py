@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from vitrail.base.vector import Vec, add, cross, dot, scale, subtract, unit
-from vitrail.scene.model import Camera, Image
+from vitrail.scene.model import Camera, Image, Orthographic, Perspective
 
 if TYPE_CHECKING:
     import numpy as np
@@ -49,14 +49,13 @@ class View:
     def of(cls, camera: Camera, image: Image) -> View:
         forward = unit(subtract(camera.look_at, camera.position))
         right = unit(cross(forward, camera.up))
-        if camera.kind == "perspective":
-            assert camera.fov_deg is not None
-            half_height = math.tan(math.radians(camera.fov_deg) / 2)
-        else:
-            assert camera.height is not None
-            half_height = camera.height / 2
+        match camera.projection:
+            case Perspective(fov_deg):
+                half_height = math.tan(math.radians(fov_deg) / 2)
+            case Orthographic(height):
+                half_height = height / 2
         return cls(
-            perspective=camera.kind == "perspective",
+            perspective=isinstance(camera.projection, Perspective),
             position=camera.position,
             forward=forward,
             right=right,

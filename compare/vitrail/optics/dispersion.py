@@ -16,8 +16,6 @@ _PAPER_BANDS = ("red", "yellow", "green", "blue")
 _REDDEST_NM, _STEP_NM = 686.25, 87.5
 """Centre of the reddest of four equal bands, and their distance: there ``sigma + delta i`` has i = 0, 1, 2, 3."""
 
-_SHIFT = {"red": 0.0, "d_line": 1.0, "middle": 1.5}
-
 
 class Refracting(Protocol):
     """The fields of a scene's material that say how strongly it refracts."""
@@ -70,8 +68,17 @@ def _index(material: Refracting, band: Band, paper: PaperSwitches) -> float:
     abbe = getattr(dispersion, "abbe", None)
     if abbe is not None:
         return abbe_index(material.ior, abbe, band.wavelength_nm)
-    step = dispersion / 3 if paper.dispersion == "span" else dispersion
-    return material.ior + step * (band_position(band) - _SHIFT[paper.dispersion_reference])
+    return material.ior + index_step(dispersion, paper) * (band_position(band) - ior_position(paper))
+
+
+def index_step(dispersion: float, paper: PaperSwitches) -> float:
+    """The paper's delta: the index from one of its four bands to the next; ``span`` gives it from first to last."""
+    return dispersion / 3 if paper.dispersion == "span" else dispersion
+
+
+def ior_position(paper: PaperSwitches) -> float:
+    """Where the scene's ``ior`` holds, on the scale of ``band_position`` [O 1.1 items 23, 24]."""
+    return {"red": 0.0, "d_line": 1.0, "middle": 1.5}[paper.dispersion_reference]
 
 
 def band_position(band: Band) -> float:

@@ -19,7 +19,7 @@ from vitrail.base.phenomenon import Phenomenon
 from vitrail.base.vector import length
 from vitrail.geometry.shapes.mesh import PlacedMesh
 from vitrail.geometry.world import World
-from vitrail.optics.dispersion import reference_ior
+from vitrail.optics.dispersion import ior_position, reference_ior
 from vitrail.plan.occlusion import may_shadow
 from vitrail.plan.plan import Plan
 from vitrail.scene.model import Ggx, Material, Object, Patch, Scene
@@ -31,6 +31,10 @@ OF_SPECULAR_BODIES = frozenset(P) - {P.DIFFUSION, P.SHADOW, P.INDIRECT_LIGHT}
 
 ON_SURFACE = 1e-6
 """A patch lies on an object whose surface is nearer than this share of its size."""
+
+
+Change = Callable[[Material], dict[str, Any]]
+"""Fields of a material to replace, by name."""
 
 
 @dataclass(frozen=True)
@@ -55,11 +59,11 @@ def ablations(world: World, plan: Plan) -> tuple[Ablation, ...]:
 def _of_materials(scene: Scene, plan: Plan) -> list[Ablation]:
     """What lies in the materials: colour, absorption, roughness, dispersion, mirroring, bending."""
 
-    def off(phenomenon: Phenomenon, words: str, change: Callable[[Material], dict[str, Any]], *also: Phenomenon):  # type: ignore[no-untyped-def]
+    def off(phenomenon: Phenomenon, words: str, change: Change, *also: Phenomenon) -> Ablation:
         touched = frozenset({phenomenon, *also})
         return Ablation(phenomenon.value, words, frozenset({phenomenon}), touched, _with_materials(scene, change))
 
-    middle = 1.5 - {"red": 0.0, "d_line": 1.0, "middle": 1.5}[scene.paper.dispersion_reference]
+    middle = 1.5 - ior_position(scene.paper)
     step = middle / (3 if scene.paper.dispersion == "span" else 1)
     found = [
         off(P.DISPERSION, "all light takes the index of the middle band", lambda m: _of_one_index(m, step)),
@@ -116,7 +120,7 @@ def _of_bodies(scene: Scene, plan: Plan) -> list[Ablation]:
     return found
 
 
-def _with_materials(scene: Scene, change: Callable[[Material], dict[str, Any]]) -> Scene:
+def _with_materials(scene: Scene, change: Change) -> Scene:
     """Change the materials that objects have; one that none has is nobody's business."""
     used = {item.material for item in scene.objects}
     altered = {name: changed(scene.materials[name], **change(scene.materials[name])) for name in used}

@@ -12,6 +12,7 @@ import math
 from typing import Any
 
 from vitrail.base.changed import changed
+from vitrail.base.fault import Fault
 from vitrail.plan.settings import Settings
 from vitrail.scene.model import Scene
 
@@ -23,15 +24,13 @@ LEAST_SAMPLES = 2
 
 
 def pass_settings(scene: Scene, settings: Settings, *, samples_given: bool) -> Settings:
-    """The settings of one pass; a scene about its samples keeps them. Raises ValueError for one sample that was asked
+    """The settings of one pass; a scene about its samples keeps them. Raises Fault for one sample that was asked
     for."""
     if settings.samples >= LEAST_SAMPLES or scene.image.samples is not None:
         return settings
     if samples_given:
-        raise ValueError(
-            "one sample is the centre of its pixel in every pass, and more passes would refine no edge;"
-            f" ask for {LEAST_SAMPLES} samples or more"
-        )
+        what = "one sample is the centre of its pixel in every pass, and more passes would refine no edge"
+        raise Fault(what, f"ask for {LEAST_SAMPLES} samples or more")
     return changed(settings, samples=LEAST_SAMPLES)
 
 
