@@ -13,7 +13,7 @@ from tests.end_to_end.test_command_line import CARD, ROOT, vitrail
 from vitrail.images.exr import read_image, write_image
 from vitrail.pipeline.decisions import read_decisions
 
-pytestmark = pytest.mark.browser
+pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
 
 def test_decisions_outlive_the_page_and_are_exported(watched: Watched, report: Path, tmp_path: Path) -> None:
