@@ -31,7 +31,7 @@ stage "set up" tools/setup.sh
 stage "format and lint" tools/lint.sh
 stage "build release" tools/build.sh release
 stage "C++ tests, release" run_ctest release
-stage "build asan-ubsan" tools/build.sh asan-ubsan
+stage "build asan-ubsan" tools/build.sh asan-ubsan cpp_tests
 stage "C++ tests, asan-ubsan" run_ctest asan-ubsan
 
 # Keep the tests of one file on one worker, so that a render is shared by the tests that look at it.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 namespace vitrail {
 
@@ -43,6 +44,11 @@ bool JsonValue::object(std::initializer_list<const char*> required, std::initial
     if (!value_->contains(key)) reading_.faults.push_back({path_ + "." + key, "is missing", "add it"});
   return true;
 }
+
+bool JsonValue::has(const char* key) const { return value_->is_object() && value_->contains(key); }
+bool JsonValue::is_object() const { return value_->is_object(); }
+bool JsonValue::is_string() const { return value_->is_string(); }
+bool JsonValue::is_null() const { return value_->is_null(); }
 
 JsonValue JsonValue::at(const char* key) const {
   const std::string path = path_.empty() ? key : path_ + "." + key;

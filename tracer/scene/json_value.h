@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <limits>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -53,15 +53,15 @@ class JsonValue {
 
   /// An object that has exactly these keys, the optional ones or not. False (and noted) if it is no object.
   bool object(std::initializer_list<const char*> required, std::initializer_list<const char*> optional = {}) const;
-  bool has(const char* key) const { return value_->is_object() && value_->contains(key); }
+  bool has(const char* key) const;
   JsonValue at(const char* key) const;
 
   /// An array of `size` values, or of any number with size < 0. Empty if it is no array.
   std::vector<JsonValue> array(int size = -1) const;
 
-  bool is_object() const { return value_->is_object(); }
-  bool is_string() const { return value_->is_string(); }
-  bool is_null() const { return value_->is_null(); }
+  bool is_object() const;
+  bool is_string() const;
+  bool is_null() const;
 
   double number(Range range = Range::any()) const;
   std::int64_t integer(std::int64_t low, std::int64_t high) const;
