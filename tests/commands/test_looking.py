@@ -100,6 +100,19 @@ def test_emit_povray_writes_scene_texts_and_the_certificate(tmp_path: Path) -> N
     assert any(name.endswith(".pov") for name in names)
 
 
+def test_emit_povray_readable_writes_one_scene_file_and_what_it_approximates(tmp_path: Path) -> None:
+    result = run("emit", "povray", SCENE, "--readable", "--out", tmp_path)
+    assert result.exit_code == 0, result.stderr
+    assert sum(name.endswith(".pov") for name in files_in(tmp_path)) == 1
+    assert json.loads((tmp_path / "certificate.json").read_text())
+
+
+def test_emit_readable_is_for_povray(tmp_path: Path) -> None:
+    result = run("emit", "tracer", SCENE, "--readable", "--out", tmp_path)
+    assert result.exit_code == 2
+    assert "vitrail emit povray --readable" in result.stderr
+
+
 def test_emit_povray_writes_the_sky_that_its_texts_name(tmp_path: Path) -> None:
     write_image(tmp_path / "above.exr", np.ones((2, 4, 3)))
     sky = "environment: {file: above.exr}"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, assert_never
 
@@ -9,7 +10,7 @@ import typer
 
 from vitrail.base.engine_name import EngineName
 from vitrail.base.whole_file import write_whole
-from vitrail.commands.errors import exit_codes
+from vitrail.commands.errors import exit_codes, usage_error
 from vitrail.commands.output import print_json
 from vitrail.commands.settings_options import QUALITY, SETTINGS, prepared
 from vitrail.plan.settings import Quality
@@ -24,12 +25,18 @@ def emit(
     out: Path = typer.Option(..., "--out", help="The folder to write into."),
     quality: Quality = QUALITY,
     settings: list[str] = SETTINGS,
+    readable: bool = typer.Option(
+        False, "--readable", help="For POV-Ray: one commented file to render and edit, less exact than the runs."
+    ),
     as_json: bool = typer.Option(False, "--json", help="Print the names of the files as JSON."),
 ) -> None:
     with exit_codes():
         from vitrail.engines.povray_result import write_sky
 
-        files = emitted(engine, scene, quality, settings)
+        if readable and engine is not EngineName.POVRAY:
+            raise usage_error("--readable writes for POV-Ray; use `vitrail emit povray --readable`")
+        make = emitted_readable if readable else partial(emitted, engine)
+        files = make(scene, quality, settings)
         for name, content in files.items():
             if isinstance(content, str):
                 write_whole(out / name, content)
@@ -37,6 +44,17 @@ def emit(
                 write_sky(out / name, content)
     names = [str(out / name) for name in files]
     print_json({"files": names}) if as_json else typer.echo("\n".join(names))
+
+
+def emitted_readable(path: Path, quality: Quality, assignments: list[str]) -> dict[str, str | np.ndarray]:
+    """The same for a person: the scene in one file, with what it includes, and what it only approximates."""
+    from vitrail.base.canonical_json import canonical_json
+    from vitrail.commands.scene_file import read_scene
+    from vitrail.lower.povray import lower_readable
+
+    job = prepared(read_scene(path), quality, assignments)
+    made = lower_readable(job.world, job.plan, job.settings, path.name)
+    return {**made.files, **made.skies, "certificate.json": canonical_json(made.certificate.as_json())}
 
 
 def emitted(engine: EngineName, path: Path, quality: Quality, assignments: list[str]) -> dict[str, str | np.ndarray]:

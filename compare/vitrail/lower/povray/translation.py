@@ -12,7 +12,7 @@ from vitrail.lower.povray.bodies.contact import Joined, with_contacts
 from vitrail.lower.povray.bodies.gaps import Placement, with_gaps
 from vitrail.lower.povray.bodies.meshes import refuse_unreadable_meshes
 from vitrail.lower.povray.bodies.nesting import Nesting, nesting_of
-from vitrail.lower.povray.bodies.normalise import Normalisation, normalise
+from vitrail.lower.povray.bodies.normalise import Normalisation, in_metres, normalise
 from vitrail.lower.povray.photons.depth import TraceDepth, trace_depth
 from vitrail.lower.povray.photons.off_centre import off_centre
 from vitrail.lower.povray.photons.photons import Ball, PhotonPass, Shooting, photon_pass, photon_targets
@@ -77,17 +77,18 @@ class Translation:
         return Shooting(self.world, self.lighting.halves[half], self.photons) if self.photons is not None else None
 
 
-def translate(world: World, plan: Plan, settings: Settings) -> Translation:
+def translate(world: World, plan: Plan, settings: Settings, *, is_readable: bool = False) -> Translation:
     """Refuse what POV-Ray cannot do, make bodies fit, choose the mode, aim lights and photons, in this order.
 
-    Raises NotTranslatable with the lines of the scene's file.
+    ``is_readable`` keeps metres wherever POV-Ray's tolerances resolve the scene in them. Raises NotTranslatable with
+    the lines of the scene's file.
     """
     refusals = Refusals(world.loaded)
     asked = Asked(world.with_scene(reduced(world.scene, plan)), plan, settings, refusals)
     refuse_unsupported(asked)
     refuse_unreadable_meshes(asked.world, refusals)
     skies = skies_of(asked.scene, world.folder or Path(), refusals)
-    bodies = _bodies(asked)
+    bodies = _bodies(asked, is_readable=is_readable)
     asked = replace(asked, world=bodies.joined.world)
     mode = mode_of(asked.scene, plan, settings, skies)
     targets = photon_targets(asked, bodies.units)
@@ -105,10 +106,12 @@ def translate(world: World, plan: Plan, settings: Settings) -> Translation:
     )
 
 
-def _bodies(asked: Asked) -> Bodies:
+def _bodies(asked: Asked, *, is_readable: bool) -> Bodies:
     """Units first: what touches what, and by how much it must not, is a matter of them."""
     radius = asked.settings.gather_radius_m if asked.has_caustic else 0.0
     units = normalise(asked.world, asked.refusals, radius)
+    if is_readable:
+        units = in_metres(asked.world, units)
     joined = with_contacts(asked.world, units)
     placement = with_gaps(joined.world, units, joined.contacts)
     return Bodies(units, joined, placement, nesting_of(joined.world, units, joined.pairs))

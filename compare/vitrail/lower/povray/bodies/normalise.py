@@ -28,6 +28,8 @@ SMALLEST_FEATURE = 0.01
 """Thickness in units that every tolerance of POV-Ray resolves by a factor of ten [P 7]."""
 WIDEST_EXTENT = 8192.0
 """Extent in units up to which thin features may push the scale: single precision still places photons to 5e-4 units."""
+SMALLEST_IN_METRES = 1.0
+"""Extent in metres from which a scene may stay in metres: gaps are then 1e-4 of it."""
 FARTHEST_CAMERA = 1.0e5
 """Distance of the camera in units up to which images are exact [P 7]."""
 
@@ -77,6 +79,20 @@ def normalise(world: World, refusals: Refusals, gather_radius_m: float = 0.0) ->
         what = f"the camera is {away:.3g} m away from a scene of {diameter:.3g} m"
         raise NotTranslatable([refusals.at(what, "move it nearer; POV-Ray loses digits there", "camera", "position")])
     return result
+
+
+def in_metres(world: World, units: Normalisation) -> Normalisation:
+    """The author's metres wherever POV-Ray's tolerances resolve the scene in them; else ``units``.
+
+    Walls of meshes are not looked at, so a scene with meshes keeps its units.
+    """
+    extent_m = units.extent / units.scale
+    smallest = min((thickness for thickness, _ in _features(world)), default=extent_m)
+    has_meshes = any(isinstance(solid, PlacedMesh) for solid in world.solids)
+    is_resolved = smallest >= SMALLEST_FEATURE and SMALLEST_IN_METRES <= extent_m <= WIDEST_EXTENT
+    if has_meshes or not is_resolved or length(units.centre) > 0:
+        return units
+    return Normalisation((0.0, 0.0, 0.0), 1.0, extent_m)
 
 
 def _bent_share(world: World, gather_radius_m: float, factor: float) -> float:

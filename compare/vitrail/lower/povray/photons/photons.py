@@ -57,8 +57,8 @@ class PhotonPass:
     gather_radius: float
     targets: tuple[Ball, ...]
 
-    def sdl(self, half: str, file: str) -> Block:
-        """The photons block of one half; ``file`` is what happens to the map: ``save_file`` or ``load_file``."""
+    def sdl(self, half: str, file: str = "") -> Block:
+        """The photons block of one half; ``file``: ``save_file`` or ``load_file``, or neither."""
         return block(
             "photons",
             statement("spacing", self.spacing[half]),
@@ -67,7 +67,7 @@ class PhotonPass:
             statement("expand_thresholds", listed(0, 0)),
             statement("jitter", JITTER),
             statement("autostop", 1),
-            statement(file, Quoted(PHOTON_FILE)),
+            statement(file, Quoted(PHOTON_FILE)) if file else None,
         )
 
 

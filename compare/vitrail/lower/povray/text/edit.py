@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
-from vitrail.lower.povray.text.sdl import Block, Colour, MapEntry, Part, SdlFile, Statement, Value
+from vitrail.lower.povray.text.sdl import Block, Colour, Declaration, MapEntry, Part, SdlFile, Statement, Value
 
 Edit = Callable[[Part], Part]
 """The part to put in the place of a part, or the same one; it sees inner parts before outer ones."""
@@ -84,5 +84,8 @@ def _with_edited_parts(part: Part, edit: Edit) -> Part:
         case MapEntry():
             inner = _all_edited(part.parts, edit)
             return part if inner is part.parts else MapEntry(part.at, inner)
+        case Declaration() if isinstance(part.value, Block):
+            (value,) = _all_edited((part.value,), edit)
+            return part if value is part.value else Declaration(part.name, value)
         case _:
             return part

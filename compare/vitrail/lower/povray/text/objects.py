@@ -51,16 +51,22 @@ class ObjectText:
 
     def sdl(self, index: int, placed: Solid, exposure: Exposure, is_shooting: bool) -> Block:
         """The object in one run; ``placed`` is its shape, where a gap has been opened already."""
+        return self.shaped(index, placed, exposure, self.look(index, placed, exposure, is_shooting))
+
+    def look(self, index: int, placed: Solid, exposure: Exposure, is_shooting: bool) -> tuple[Part, ...]:
+        """What stands after the shape of an object: textures, inside, and what photons do with it."""
+        material = self.scene.material_of(self.scene.objects[index])
+        look = (*self._textures(index, placed, exposure), *self._interior(material, exposure, is_shooting))
+        photons = self._photons(material)
+        return look if photons is None else (*look, photons)
+
+    def shaped(self, index: int, placed: Solid, exposure: Exposure, look: tuple[Part, ...]) -> Block:
+        """The shape of an object, cut by solids of higher priority, with a look."""
         material, cuts = self.scene.material_of(self.scene.objects[index]), self.nesting.cuts[index]
         shape = self._primitive(placed)
-        after = (
-            *self._textures(index, placed, exposure),
-            *self._interior(material, exposure, is_shooting),
-            self._photons(material),
-        )
         if not cuts:
-            return block(shape.keyword, *shape.parts, *after)
-        return block("difference", shape.sdl, *(self._cutter(cut, material, exposure) for cut in cuts), *after)
+            return block(shape.keyword, *shape.parts, *look)
+        return block("difference", shape.sdl, *(self._cutter(cut, material, exposure) for cut in cuts), *look)
 
     def _primitive(self, solid: Solid) -> Primitive:
         """The shape of a solid, made once for all runs: a mesh has many numbers."""

@@ -35,14 +35,16 @@ class SceneText:
         """The tree; ``photon_file`` says what happens to the photon map, and without it there are no photons."""
         translation = self.translation
         bodies, is_shooting = translation.bodies, photon_file == "save_file"
+        found = translation.photons
+        photons = found.sdl(exposure.half, photon_file) if found is not None and photon_file else None
         objects, shift = self._objects, HALF_SHIFTS[exposure.half]
         lights = translation.lighting.halves[exposure.half]
         return SdlFile(
             (
                 Directive("version", 3.7),
-                self._globals(exposure, photon_file),
+                self._globals(exposure, photons),
                 block("#default", block("finish", *DARK)),
-                block("background", statement(rgb(exposure.light(self._sky())))) if sky is None else sky.sdl,
+                self.background(exposure, sky),
                 camera_sdl(translation.world.view, samples_across, shift, translation.units),
                 *(light_sdl(source, exposure) for source in lights if _shines(source, exposure)),
                 *(
@@ -53,6 +55,10 @@ class SceneText:
             )
         )
 
+    def background(self, exposure: Exposure, sky: SkyPicture | None) -> Block:
+        """What a ray sees that meets nothing."""
+        return block("background", statement(rgb(exposure.light(self._sky())))) if sky is None else sky.sdl
+
     def sky_picture(self, exposure: Exposure) -> SkyPicture | None:
         """What a ray of a run sees that meets nothing, where that is an image."""
         found = [sky.picture(exposure, self._sky()) for sky in self.translation.lighting.skies.values()]
@@ -62,9 +68,14 @@ class SceneText:
         """Whether any light shines in the channel of a run."""
         return any(_shines(source, exposure) for source in self.translation.lighting.halves[exposure.half])
 
-    def _globals(self, exposure: Exposure, photon_file: str) -> Block:
-        scene, depth, photons = self.translation.scene, self.translation.depth, self.translation.photons
-        quality, has_radiosity = self.translation.settings.quality, scene.transport.indirect == "photons"
+    def settings(self, exposure: Exposure) -> Block:
+        """The global settings of a run that shoots its own photons and uses them at once."""
+        photons = self.translation.photons
+        return self._globals(exposure, photons.sdl(exposure.half) if photons is not None else None)
+
+    def _globals(self, exposure: Exposure, photons: Block | None) -> Block:
+        scene, depth, quality = self.translation.scene, self.translation.depth, self.translation.settings.quality
+        has_radiosity = scene.transport.indirect == "photons"
         return block(
             "global_settings",
             statement("assumed_gamma", 1),
@@ -72,7 +83,7 @@ class SceneText:
             statement("adc_bailout", depth.adc_bailout),
             self._ambient(exposure),
             radiosity_sdl(scene, quality, exposure.half) if has_radiosity else None,
-            photons.sdl(exposure.half, photon_file) if photons is not None and photon_file else None,
+            photons,
         )
 
     def _ambient(self, exposure: Exposure) -> Statement | None:

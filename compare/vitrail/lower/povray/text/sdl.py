@@ -32,10 +32,33 @@ class Colour:
 
 @dataclass(frozen=True)
 class Product:
-    """``90*y``: a number times a vector or one of POV-Ray's axes."""
+    """``90*y``: values multiplied."""
 
-    factor: float
-    of: Vector | str
+    factor: Value
+    of: Value
+
+
+@dataclass(frozen=True)
+class Quotient:
+    """``image_width/image_height``; what stands below has no operator of its own."""
+
+    above: Value
+    below: Value
+
+
+@dataclass(frozen=True)
+class Call:
+    """``tan(radians(35)/2)``: a function of POV-Ray with its arguments."""
+
+    function: str
+    arguments: tuple[Value, ...]
+
+
+@dataclass(frozen=True)
+class Identifier:
+    """``M_Clear``: a name that a file declares; it begins with a capital, as no word of the language does."""
+
+    name: str
 
 
 @dataclass(frozen=True)
@@ -65,7 +88,7 @@ class Statement:
         return first if isinstance(first, str) else ""
 
 
-Value = float | str | Vector | Colour | Product | Quoted | Listed | Statement
+Value = float | str | Vector | Colour | Product | Quotient | Call | Identifier | Quoted | Listed | Statement
 """What stands within a statement; a string is a word of the language."""
 
 # --- parts ----------------------------------------------------------------------------------------------------------
@@ -103,7 +126,34 @@ class Directive:
     value: Value
 
 
-Part = Statement | Listed | Block | MapEntry | Table | Directive
+@dataclass(frozen=True)
+class Declaration:
+    """``#declare M_Clear = material { ... }``."""
+
+    name: Identifier
+    value: Part | Value
+
+
+@dataclass(frozen=True)
+class Include:
+    """``#include "ball_mesh.inc"``: a file that is written beside this one."""
+
+    file: Quoted
+
+
+@dataclass(frozen=True)
+class Comment:
+    """``// a line for the reader``; any text may stand in it, and the printer lets none of it out."""
+
+    text: str
+
+
+@dataclass(frozen=True)
+class Blank:
+    """An empty line."""
+
+
+Part = Statement | Listed | Block | MapEntry | Table | Directive | Declaration | Include | Comment | Blank
 """What stands within a block or at the top of a file."""
 
 
