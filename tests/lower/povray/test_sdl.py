@@ -68,3 +68,16 @@ def test_each_layer_of_a_look_from_inside_is_one() -> None:
         *["texture"] * 2,
         *["interior_texture"] * 2,
     ]
+
+
+def test_layers_in_nested_glass_are_refused_with_their_line() -> None:
+    """POV-Ray 3.7 ends with a parse error where an object's pattern holds a layered texture."""
+    materials = "tinted: {diffuse: 0.2, transmission: [0.2, 0.5, 0.8], ior: 1.5}\nwater: {transmission: 1, ior: 1.33}"
+    objects = """
+    - {name: tank, box: {min: [-1, 0, -1], max: [1, 1, 1]}, material: water}
+    - {name: ball, sphere: {center: [0, 0.5, 0], radius: 0.3}, material: tinted, priority: 1}
+    """
+    nested = scene(materials, objects)
+    with pytest.raises(NotTranslatable, match=r"scene.yaml:9:.*scatters inside other glass"):
+        lowered(nested, reference_mode="native")
+    assert lowered(nested, reference_mode="channels").runs

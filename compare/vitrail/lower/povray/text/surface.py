@@ -45,5 +45,11 @@ def specular_pool(material: Material, exposure: Exposure) -> Triplet:
     return (min(1.0, r[0] + t[0]), min(1.0, r[1] + t[1]), min(1.0, r[2] + t[2]))
 
 
+def is_layered(material: Material, exposure: Exposure) -> bool:
+    """Whether glass is written as two layers: it scatters, and its channels differ in this run."""
+    scatters = material.is_transmissive and material.is_diffuse and material.emission is None
+    return scatters and not is_grey(specular_pool(material, exposure))
+
+
 def is_grey(colour: Triplet) -> bool:
     return max(colour) - min(colour) <= GREY_SLACK
