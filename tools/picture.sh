@@ -9,8 +9,6 @@ out=$(realpath -m "${1:-docs/pictures/goblet.png}")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# The meshes are named relative to the scene, so the larger scene needs them beside it.
-cp scenes/paper/goblet.ply scenes/paper/wine.ply "$work"
 sed 's/width: 192, height: 144/width: 768, height: 576/' scenes/paper/goblet.yaml >"$work/goblet.yaml"
 nice .venv/bin/vitrail render "$work/goblet.yaml" --out "$work/goblet.exr" --samples 9 --photons 3000000 \
   --set gather_radius_m=0.0008 --png

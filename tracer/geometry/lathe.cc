@@ -111,18 +111,32 @@ void Lathe::find_cuts(const AxisLine& line, const Departure* left, std::vector<C
   // Decide once a corner on which side of its circle the line passes at its height; a level line, which never comes to
   // that height, passes beside the pieces that reach across its own, and dips into them twice or never. A corner on the
   // axis has no circle to pass inside of.
-  const auto is_beside = [&](const Corner& corner) {
-    if (line.climb == 0) return corner.height > line.height;
-    const double across = line.across_at((corner.height - line.height) / line.climb);
-    return corner.radius == 0 || across * across + line.miss * line.miss > corner.radius * corner.radius;
+  struct Passed {
+    bool beside = false;
+    double across = 0, radius_squared = 0;
   };
+  const double missed = line.miss * line.miss;
   const bool level = line.climb == 0;
-  bool before = is_beside(corners_[0]);
+  const auto pass = [&](const Corner& corner) {
+    if (level) return Passed{corner.height > line.height, 0, corner.radius * corner.radius};
+    const double across = line.across_at((corner.height - line.height) / line.climb);
+    const double square = corner.radius * corner.radius;
+    return Passed{corner.radius == 0 || across * across + missed > square, across, square};
+  };
+
+  // Beside both ends, a piece is out of reach if the line comes no nearer to the axis between them than its wider end.
+  const auto is_out_of_reach = [&](const Passed& a, const Passed& b) {
+    const bool same_side = (a.across < 0) == (b.across < 0);
+    const double nearest = level || !same_side ? 0 : std::min(std::abs(a.across), std::abs(b.across));
+    return nearest * nearest + missed >= std::max(a.radius_squared, b.radius_squared);
+  };
+  Passed before = pass(corners_[0]);
   for (std::uint32_t face = 0; face < corners_.size(); ++face) {
-    const bool next = is_beside(after(face));
-    const bool reached = level ? before != next : before || next;
+    const Passed next = pass(after(face));
+    const bool both = level ? before.beside != next.beside : before.beside && next.beside;
+    const bool reached = both ? !is_out_of_reach(before, next) : !level && before.beside != next.beside;
     if (reached && !pieces_[face].on_axis)
-      cut_piece(line, face, level || before, level || next, departs_from(left, face), cuts);
+      cut_piece(line, face, both || before.beside, both || next.beside, departs_from(left, face), cuts);
     before = next;
   }
   std::sort(cuts.begin(), cuts.end(), [](const Cut& x, const Cut& y) { return x.t < y.t; });
