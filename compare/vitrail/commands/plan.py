@@ -72,6 +72,6 @@ def _summary(found: Plan, settings: Settings) -> str:
     chain = found.chain
     return (
         f"longest chain: {chain.reflections} reflections, {chain.transmissions} transmissions ({chain.reason})\n"
-        f"at normal quality: {settings.samples} samples a pixel, {settings.photons} photons,"
+        f"at normal quality: {settings.samples} samples per pixel, {settings.photons} photons,"
         f" gather radius {settings.gather_radius_m:g} m"
     )

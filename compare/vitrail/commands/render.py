@@ -33,7 +33,7 @@ def render(
     out: Path = typer.Option(..., "--out", metavar="FILE.exr", help="The image to write."),
     engine: EngineName = typer.Option(EngineName.TRACER, "--engine", help="The engine to render with."),
     quality: Quality = QUALITY,
-    samples: int | None = typer.Option(None, "--samples", help="Samples a pixel."),
+    samples: int | None = typer.Option(None, "--samples", help="Samples per pixel."),
     photons: int | None = typer.Option(None, "--photons", help="Photons of the whole scene."),
     seed: int | None = typer.Option(None, "--seed", help="Seed of the random numbers."),
     threads: int = typer.Option(0, "--threads", min=0, help="Threads; 0 takes every core."),

@@ -1,4 +1,4 @@
-"""What a person reads in the terminal after a comparison: one line a scene, then what went wrong and where to look."""
+"""What a person reads in the terminal after a comparison: one line per scene, then what went wrong and where."""
 
 from __future__ import annotations
 
