@@ -33,18 +33,52 @@ TEST(MeshFile, ReadsTheSameFromTextAndBytes) {
   EXPECT_EQ(cube.triangles.size(), 12u);
 }
 
+TEST(MeshFile, ReadsBytesOfEitherOrderAndFacesBeforeVertices) {
+  std::string bytes =
+      "ply\nformat binary_big_endian 1.0\nelement face 1\nproperty list uchar int vertex_indices\n"
+      "element vertex 3\nproperty double x\nproperty double y\nproperty double z\nend_header\n\3";
+  const auto append = [&](const auto value) {
+    const auto* first = reinterpret_cast<const char*>(&value);
+    for (std::size_t i = sizeof value; i-- > 0;) bytes += first[i];  // this machine has the lowest byte first
+  };
+  for (const std::int32_t index : {0, 1, 2}) append(index);
+  for (const double value : {0.1, 0., 0., 1., 0., 0., 0., 1., 0.}) append(value);
+  const MeshData mesh = read_mesh_file(write_file("big.ply", bytes));
+  EXPECT_EQ(mesh.vertices[0], (Vec3{0.1, 0, 0}));
+  EXPECT_EQ(mesh.triangles, (std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}}));
+}
+
+TEST(MeshFile, CutsConcavePolygonsIntoEars) {
+  // An arrow head that points to +y with its notch at the origin: a fan from its first corner would cover the notch.
+  const MeshData mesh = read_mesh_file(write_file("arrow.obj", "v -1 -1 0\nv 0 0 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3 4\n"));
+  double area = 0;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const double doubled = cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a]).z;
+    EXPECT_GT(doubled, 0);
+    area += doubled / 2;
+  }
+  EXPECT_EQ(area, 1);
+  // The normals of the file are taken where every vertex has one; faces of two corners enclose nothing.
+  const MeshData smooth = read_mesh_file(write_file(
+      "normals.obj", "\xEF\xBB\xBFv 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nvn 0 0 1\nvn 0 1 0\nf 1//1 2//2 3//3\nf 1 2\n"));
+  ASSERT_EQ(smooth.normals.size(), 3u);
+  EXPECT_EQ(smooth.normals[2], (Vec3{0, 1, 0}));
+  EXPECT_EQ(smooth.triangles.size(), 1u);
+}
+
 TEST(MeshFile, RefusesWhatItCannotUse) {
   const char* const wrong[][2] = {
       {"missing.stl", "solid"},
       {"a.obj", "v 1 2\n"},
       {"b.obj", "v 0 0 0\nf 1 2 3\n"},
       {"c.obj", "v 0 0 0\nf 1 1\n"},
+      {"c2.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3 4\n"},
       {"d.obj", "v 0 0 nan\n"},
       {"e.obj", ""},
       {"f.ply", ""},
       {"g.ply", "ply\nend_header\n"},
       {"h.ply", "ply\nformat ascii 1.0\n"},
-      {"i.ply", "ply\nformat binary_big_endian 1.0\nend_header\n"},
+      {"i.ply", "ply\nformat binary_middle_endian 1.0\nend_header\n"},
       {"j.ply", "ply\nformat ascii 1.0\nelement vertex 99999999999\nend_header\n"},
       {"k.ply", "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nend_header\n1\n"},
       {"l.ply", "ply\nformat ascii 1.0\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n3 0 1 2\n"},

@@ -1,5 +1,7 @@
 #include "geometry/mesh_file.h"
 
+#include <algorithm>
+#include <bit>
 #include <cctype>
 #include <cstdlib>
 #include <cstring>
@@ -7,6 +9,8 @@
 #include <sstream>
 
 #include "base/diagnostic.h"
+#include "geometry/obj_file.h"
+#include "geometry/polygon_cut.h"
 
 namespace vitrail {
 
@@ -23,48 +27,6 @@ std::string read_all(const std::string& path) {
   return text.str();
 }
 
-/// Add a polygon as a fan of triangles.
-void add_polygon(MeshData& mesh, const std::vector<std::uint32_t>& corners) {
-  for (std::size_t i = 2; i < corners.size(); ++i) mesh.triangles.push_back({corners[0], corners[i - 1], corners[i]});
-}
-
-// --- OBJ -------------------------------------------------------------------------------------------------------------
-
-/// "7", "7/1", "7//3": the vertex; negative numbers count from the end.
-std::uint32_t obj_corner(const std::string& word, std::size_t vertices, const std::string& where) {
-  char* end = nullptr;
-  const long long given = std::strtoll(word.c_str(), &end, 10);
-  const long long index = given < 0 ? static_cast<long long>(vertices) + given : given - 1;
-  if (end == word.c_str() || index < 0 || index >= static_cast<long long>(vertices))
-    refuse(where, "names the vertex " + word, "name one of the vertices above the face");
-  return static_cast<std::uint32_t>(index);
-}
-
-MeshData read_obj(const std::string& path) {
-  MeshData mesh;
-  std::istringstream file(read_all(path));
-  std::string line;
-  for (std::size_t number = 1; std::getline(file, line); ++number) {
-    const std::string where = path + ":" + std::to_string(number);
-    std::istringstream words(line);
-    std::string kind, word;
-    words >> kind;
-    if (kind == "v") {
-      Vec3 v;
-      if (!(words >> v.x >> v.y >> v.z)) refuse(where, "is no vertex", "write v and three numbers");
-      mesh.vertices.push_back(v);
-    } else if (kind == "f") {
-      std::vector<std::uint32_t> corners;
-      while (words >> word) corners.push_back(obj_corner(word, mesh.vertices.size(), where));
-      if (corners.size() < 3) refuse(where, "is no face", "write f and at least three corners");
-      add_polygon(mesh, corners);
-    }
-  }
-  return mesh;
-}
-
-// --- PLY -------------------------------------------------------------------------------------------------------------
-
 struct PlyProperty {
   std::string name, type, count_type;  // count_type is empty unless a list
 };
@@ -74,13 +36,15 @@ struct PlyElement {
   std::vector<PlyProperty> properties;
 };
 
-/// Numbers of the body one after the other, from text or little-endian bytes.
+enum class PlyFormat { ascii, little_endian, big_endian };
+
+/// Numbers of the body one after the other, from text or bytes.
 class PlyBody {
  public:
-  PlyBody(const std::string& path, const std::string& text, std::size_t start, bool binary)
-      : path_(path), text_(text), at_(start), binary_(binary) {}
+  PlyBody(const std::string& path, const std::string& text, std::size_t start, PlyFormat format)
+      : path_(path), text_(text), at_(start), format_(format) {}
 
-  double next(const std::string& type) { return binary_ ? next_binary(type) : next_text(); }
+  double next(const std::string& type) { return format_ == PlyFormat::ascii ? next_text() : next_binary(type); }
 
  private:
   double next_text() {
@@ -94,7 +58,11 @@ class PlyBody {
   double take() {
     if (text_.size() - at_ < sizeof(Number)) fail("the file ends too early");
     Number value;
-    std::memcpy(&value, text_.data() + at_, sizeof(Number));
+    char bytes[sizeof(Number)];
+    std::copy_n(text_.data() + at_, sizeof(Number), bytes);
+    const bool turned = (format_ == PlyFormat::big_endian) != (std::endian::native == std::endian::big);
+    if (turned) std::reverse(bytes, bytes + sizeof(Number));
+    std::memcpy(&value, bytes, sizeof(Number));
     at_ += sizeof(Number);
     return static_cast<double>(value);
   }
@@ -116,31 +84,36 @@ class PlyBody {
   std::string path_;
   const std::string& text_;
   std::size_t at_;
-  bool binary_;
+  PlyFormat format_;
 };
 
 std::vector<PlyElement> read_ply_header(const std::string& path, const std::string& text, std::size_t& body,
-                                        bool& binary) {
+                                        PlyFormat& format) {
   std::vector<PlyElement> elements;
   std::istringstream file(text);
   std::string line, word;
-  bool format = false;
+  bool has_format = false;
   for (std::size_t number = 1; std::getline(file, line); ++number) {
     const std::string where = path + ":" + std::to_string(number);
     std::istringstream words(line);
     words >> word;
     if (number == 1 && word != "ply") refuse(where, "does not begin with `ply`", "write a PLY file");
     if (word == "end_header") {
-      if (!format) refuse(where, "no format was given", "add `format ascii 1.0`");
+      if (!has_format) refuse(where, "no format was given", "add `format ascii 1.0`");
       body = static_cast<std::size_t>(file.tellg());
       return elements;
     }
     if (word == "format") {
       words >> word;
-      if (word != "ascii" && word != "binary_little_endian")
-        refuse(where, "has the format " + word, "write it as ascii or binary_little_endian");
-      binary = word != "ascii";
-      format = true;
+      if (word == "ascii")
+        format = PlyFormat::ascii;
+      else if (word == "binary_little_endian")
+        format = PlyFormat::little_endian;
+      else if (word == "binary_big_endian")
+        format = PlyFormat::big_endian;
+      else
+        refuse(where, "has the format " + word, "write it as ascii, binary_little_endian or binary_big_endian");
+      has_format = true;
     } else if (word == "element") {
       PlyElement element;
       if (!(words >> element.name >> element.count)) refuse(where, "is no element", "write element, name and count");
@@ -156,6 +129,10 @@ std::vector<PlyElement> read_ply_header(const std::string& path, const std::stri
     }
   }
   refuse(path, "has no end_header", "write a complete PLY file");
+}
+
+[[noreturn]] void refuse_vertex(const std::string& path, double index) {
+  refuse(path, "has a face that names the vertex " + std::to_string(index), "name one of the vertices");
 }
 
 void read_ply_vertex(MeshData& mesh, const PlyElement& element, PlyBody& body) {
@@ -178,8 +155,13 @@ void read_ply_vertex(MeshData& mesh, const PlyElement& element, PlyBody& body) {
   if (has_normal) mesh.normals.push_back(normal);
 }
 
-void read_ply_face(MeshData& mesh, const PlyElement& element, PlyBody& body, const std::string& path) {
+/// Corners of all polygons one after the other; `ends` says where each stops.
+struct PlyFaces {
   std::vector<std::uint32_t> corners;
+  std::vector<std::size_t> ends;
+};
+
+void read_ply_face(PlyFaces& faces, const PlyElement& element, PlyBody& body, const std::string& path) {
   for (const PlyProperty& property : element.properties) {
     const bool is_list = !property.count_type.empty();
     const double count = is_list ? body.next(property.count_type) : 1;
@@ -187,32 +169,45 @@ void read_ply_face(MeshData& mesh, const PlyElement& element, PlyBody& body, con
     for (double left = count; left > 0; --left) {
       const double index = body.next(property.type);
       if (!wanted) continue;
-      if (!(index >= 0 && index < static_cast<double>(mesh.vertices.size())))
-        refuse(path, "has a face that names the vertex " + std::to_string(index), "name one of the vertices");
-      corners.push_back(static_cast<std::uint32_t>(index));
+      if (!(index >= 0 && index <= 4294967295.0)) refuse_vertex(path, index);
+      faces.corners.push_back(static_cast<std::uint32_t>(index));
     }
   }
-  add_polygon(mesh, corners);
+  faces.ends.push_back(faces.corners.size());
+}
+
+/// Cut the polygons once all vertices are known: a file may list its faces first.
+void add_ply_faces(MeshData& mesh, const PlyFaces& faces, const std::string& path) {
+  for (const std::uint32_t index : faces.corners)
+    if (index >= mesh.vertices.size()) refuse_vertex(path, index);
+  std::size_t start = 0;
+  for (const std::size_t end : faces.ends) {
+    const auto first = faces.corners.begin() + static_cast<std::ptrdiff_t>(start);
+    add_polygon(mesh, {first, faces.corners.begin() + static_cast<std::ptrdiff_t>(end)}, path);
+    start = end;
+  }
 }
 
 MeshData read_ply(const std::string& path) {
   const std::string text = read_all(path);
   std::size_t start = 0;
-  bool binary = false;
-  const std::vector<PlyElement> elements = read_ply_header(path, text, start, binary);
-  PlyBody body(path, text, start, binary);
+  PlyFormat format = PlyFormat::ascii;
+  const std::vector<PlyElement> elements = read_ply_header(path, text, start, format);
+  PlyBody body(path, text, start, format);
   MeshData mesh;
+  PlyFaces faces;
   for (const PlyElement& element : elements)
     for (std::size_t i = 0; i < element.count; ++i) {
       if (element.name == "vertex")
         read_ply_vertex(mesh, element, body);
       else if (element.name == "face")
-        read_ply_face(mesh, element, body, path);
+        read_ply_face(faces, element, body, path);
       else
         for (const PlyProperty& property : element.properties)
           for (double left = property.count_type.empty() ? 1 : body.next(property.count_type); left > 0; --left)
             body.next(property.type);
     }
+  add_ply_faces(mesh, faces, path);
   return mesh;
 }
 
@@ -224,7 +219,7 @@ MeshData read_mesh_file(const std::string& path) {
   for (char& letter : ending) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
   if (ending != "ply" && ending != "obj") refuse(path, "is neither PLY nor OBJ", "convert the mesh to one of them");
 
-  MeshData mesh = ending == "ply" ? read_ply(path) : read_obj(path);
+  MeshData mesh = ending == "ply" ? read_ply(path) : read_obj(path, read_all(path));
   for (const Vec3& vertex : mesh.vertices)
     if (!is_finite(vertex)) refuse(path, "has a vertex that is not finite", "write finite coordinates");
   if (mesh.normals.size() != mesh.vertices.size()) mesh.normals.clear();

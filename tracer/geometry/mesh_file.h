@@ -1,5 +1,6 @@
 #pragma once
-/// Triangles from PLY (text and binary) and OBJ files.
+/// Triangles from PLY (text, and bytes of either order) and OBJ files. Text keeps every digit of a double, which the
+/// libraries at hand do not (docs/decisions).
 
 #include <array>
 #include <cstdint>
@@ -16,7 +17,8 @@ struct MeshData {
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
-/// Read by the ending of the name; polygons become fans. Throws InputError with the file and line or byte of the fault.
+/// Read by the ending of the name; polygons become fans, concave ones ears. Throws InputError with the file and line or
+/// byte of the fault.
 MeshData read_mesh_file(const std::string& path);
 
 }  // namespace vitrail
