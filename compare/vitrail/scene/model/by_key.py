@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from dataclasses import dataclass
 from typing import Any, ClassVar, get_args
 
@@ -64,9 +65,9 @@ class OneByKey(Part):
         return {kind.key: kind for kind in get_args(cls.model_fields[cls.chosen].annotation)}
 
     @classmethod
+    @abstractmethod
     def miscounted(cls, given: list[str]) -> Fault:
         """What to say of a part with none or several of the keys."""
-        raise NotImplementedError
 
     @classmethod
     def file_keys(cls) -> dict[str, Any]:
