@@ -9,6 +9,7 @@ import numpy as np
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.images.display import Display
 from vitrail.images.exr import write_image, write_png
+from vitrail.judge.bound import worst
 from vitrail.judge.comparison import (
     AblationEntry,
     AblationOutcome,
@@ -40,6 +41,7 @@ from vitrail.judge.records import (
     Status,
     write_results,
 )
+from vitrail.judge.statements import observation_statement, run_statement, scene_statement
 from vitrail.judge.verdict import Measured, Noise, decide, overall
 
 WIDTH, HEIGHT = 96, 64
@@ -66,8 +68,8 @@ def observation(flux: float, error: float) -> ObservationResult:
     comparisons = (
         compared(Pair.TRACER_POVRAY, "flux_ratio.red", flux, error, 0.02),
         compared(Pair.TRACER_POVRAY, "profile_correlation", 0.999, 0.0, 0.01),
-        compared(Pair.TRACER_TRUTH, "flux", flux * 0.998, error, 0.02),
-        compared(Pair.POVRAY_TRUTH, "flux", 1.001, 0.001, 0.03),
+        compared(Pair.TRACER_TRUTH, "caustic_flux", flux * 0.998, error, 0.02),
+        compared(Pair.POVRAY_TRUTH, "caustic_flux", 1.001, 0.001, 0.03),
     )
     verdict = overall(entry.verdict for entry in comparisons)
     positions = np.linspace(-0.02, 0.02, 48)
@@ -93,6 +95,8 @@ def observation(flux: float, error: float) -> ObservationResult:
         comparisons=comparisons,
         profiles=(profile,),
         verdict=verdict or comparisons[0].verdict,
+        bound=worst(comparisons),
+        statement=observation_statement(Phenomenon.CAUSTIC, comparisons),
         attribution=cause if verdict == "deviates" else None,
         where=whereabouts(flux) if verdict == "deviates" else None,
     )
@@ -160,6 +164,8 @@ def scene(folder: Path, name: str, title: str, flux: float, error: float) -> Sce
         observations=(observed,),
         reproduce=f"vitrail compare scenes/{name}.yaml --out out --quality draft --seed 1",
         verdict=observed.verdict,
+        bound=observed.bound,
+        statement=scene_statement([observed]),
         exit_code=of_scene(Status.JUDGED, observed.verdict),
     )  # fmt: skip
 
@@ -180,11 +186,13 @@ def write_run(folder: Path) -> Results:
         scene(folder, "unsure", "A ring in noise", 1.01, 0.006),
         failed,
     )
+    counts = {"unjudged": 1, "deviates": 1, "inconclusive": 1, "agrees": 1}
     results = Results(
         run=Run(vitrail_version="0.1.0", started="2026-01-02 03:04", processor="one core"),
         false_alarms=sidak(0.01, 12),
         scenes=scenes,
-        counts={"unjudged": 1, "deviates": 1, "inconclusive": 1, "agrees": 1},
+        counts=counts,
+        statement=run_statement(counts),
         verdict=overall(entry.verdict for entry in scenes),
         exit_code=of_run(entry.exit_code for entry in scenes),
     )

@@ -80,6 +80,19 @@ class Interval(Record):
         return (self.high - self.low) / 2
 
 
+class Bound(Record):
+    """How closely a number is known to be what it should be: with confidence ``level`` it is off by ``amount`` at most.
+
+    ``amount`` is in the comparison's unit; ``words`` are for people, relative where the metric is. ``over_tolerance``
+    is the bound at the level of the verdict, in tolerances: 1 or less where the number agrees; null without one.
+    """
+
+    amount: float = Field(ge=0)
+    level: float = Field(gt=0, lt=1)
+    words: str
+    over_tolerance: float | None = None
+
+
 class TolerancePart(Record):
     """One share of a tolerance: the metric's threshold or its formula's, and what is allowed beside it.
 
@@ -97,7 +110,8 @@ class Comparison(Record):
     ``value`` is the metric (a ratio, a shift, or a measured quantity where the other side is truth), ``ideal`` what
     perfect agreement gives, ``difference = value - ideal``. ``interval`` is that of the difference at the corrected
     level of the run. ``tolerance`` is the sum of ``tolerance_parts``. ``sample_factor``, of an inconclusive
-    comparison, is how many times the samples would decide it; null where no number of samples can.
+    comparison, is how many times the samples would decide it; null where no number of samples can. ``statement`` says
+    in words how close it is known to be, and ``bound`` as a number; records of older versions lack both.
     """
 
     pair: Pair
@@ -111,6 +125,8 @@ class Comparison(Record):
     tolerance: float = Field(ge=0)
     tolerance_parts: tuple[TolerancePart, ...] = ()
     verdict: Verdict
+    bound: Bound | None = None
+    statement: str = ""
     sample_factor: float | None = None
     reason: str
     attribution: Attribution | None = None
@@ -209,7 +225,8 @@ class ObservationResult(Record):
     """One phenomenon on one patch: everything that was measured and what it came to.
 
     ``unmeasured`` says which numbers could not be had and why; with any of them the verdict is not ``agrees``.
-    ``where`` is looked for only when the engines deviate from each other.
+    ``where`` is looked for only when the engines deviate from each other. ``statement`` says how close its numbers are
+    known to be; ``bound`` is that of the number which is most tolerances wide.
     """
 
     name: str
@@ -219,5 +236,7 @@ class ObservationResult(Record):
     profiles: tuple[Profile, ...] = ()
     unmeasured: tuple[str, ...] = ()
     verdict: Verdict
+    bound: Bound | None = None
+    statement: str = ""
     attribution: Attribution | None = None
     where: Whereabouts | None = None

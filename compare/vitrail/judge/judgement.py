@@ -7,10 +7,12 @@ from collections.abc import Callable, Sequence
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.base.record import number_in
 from vitrail.judge.attribution import attribute, headline
+from vitrail.judge.bound import worst
 from vitrail.judge.comparison import Comparison, ObservationResult, TolerancePart, Verdict
 from vitrail.judge.observe import Observed
 from vitrail.judge.references import Truth
 from vitrail.judge.rules import Rule
+from vitrail.judge.statements import observation_statement
 from vitrail.judge.thresholds import Thresholds
 from vitrail.judge.verdict import Measured, decide, overall
 
@@ -43,6 +45,8 @@ def judge_observation(
         profiles=observed.profiles,
         unmeasured=observed.unmeasured,
         verdict=verdict,
+        bound=worst(comparisons),
+        statement=observation_statement(phenomenon, comparisons, observed.unmeasured),
         attribution=headline(comparisons, verdict),
     )
 

@@ -16,7 +16,7 @@ from pydantic import Field, JsonValue
 from vitrail.base.certificate_entry import CertificateEntry
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.base.record import Record, json_text, read_record, record_schema, write_record
-from vitrail.judge.comparison import ObservationResult, Pair, Verdict
+from vitrail.judge.comparison import Bound, ObservationResult, Pair, Verdict
 
 RESULTS_VERSION: Literal[1] = 1
 
@@ -122,7 +122,10 @@ class MoreSamples(Record):
 
 
 class SceneResult(Record):
-    """Everything about one scene."""
+    """Everything about one scene. ``statement`` says how close it is known to agree, whatever its verdict;
+
+    ``bound`` is that of its number which is most tolerances wide, at the level of the verdicts.
+    """
 
     name: str
     title: str
@@ -146,6 +149,8 @@ class SceneResult(Record):
     warnings: tuple[str, ...] = ()
     reproduce: str = ""
     verdict: Verdict | None = None
+    bound: Bound | None = None
+    statement: str = ""
     more_samples: MoreSamples | None = None
     exit_code: int = Field(ge=0)
 
@@ -186,6 +191,7 @@ class Results(Record):
     scenes: tuple[SceneResult, ...]
     counts: dict[str, int] = {}
     verdict: Verdict | None
+    statement: str = ""
     exit_code: int = Field(ge=0)
 
 

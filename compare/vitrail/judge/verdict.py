@@ -14,6 +14,7 @@ from dataclasses import dataclass, field
 from pydantic import JsonValue
 from scipy import stats
 
+from vitrail.judge.bound import LEVEL, bound_of, number_statement
 from vitrail.judge.comparison import Comparison, Interval, Pair, TolerancePart, Verdict
 
 
@@ -63,8 +64,9 @@ def interval_of(measured: Measured, level: float) -> Interval:
 def decide(measured: Measured, tolerance_parts: Sequence[TolerancePart], level: float) -> Comparison:
     """Judge one measured value; ``level`` is the corrected level of the suite."""
     interval = interval_of(measured, level)
-    tolerance = sum(part.amount for part in tolerance_parts)
+    tolerance, difference = sum(part.amount for part in tolerance_parts), measured.value - measured.ideal
     verdict = _position(interval, tolerance)
+    bound = bound_of(measured.metric, measured.ideal, interval_of(measured, LEVEL), interval, tolerance)
     factor = _sample_factor(interval, tolerance) if verdict is Verdict.INCONCLUSIVE else None
     return Comparison(
         pair=measured.pair,
@@ -73,11 +75,13 @@ def decide(measured: Measured, tolerance_parts: Sequence[TolerancePart], level: 
         value=measured.value,
         ideal=measured.ideal,
         ideal_source=measured.ideal_source,
-        difference=measured.value - measured.ideal,
+        difference=difference,
         interval=interval,
         tolerance=tolerance,
         tolerance_parts=tuple(tolerance_parts),
         verdict=verdict,
+        bound=bound,
+        statement=number_statement(measured.metric, measured.ideal, difference, tolerance, bound, verdict, interval),
         sample_factor=factor,
         reason=_sentence(interval, tolerance, verdict, factor),
         settings=measured.settings,

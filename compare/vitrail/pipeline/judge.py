@@ -7,10 +7,12 @@ from pathlib import Path
 
 from vitrail.base.changed import changed
 from vitrail.base.exit_code import ExitCode
+from vitrail.judge.bound import worst
 from vitrail.judge.exit_code import of_run, of_scene
 from vitrail.judge.false_alarms import SUITE_FALSE_ALARM_RATE, sidak
 from vitrail.judge.judgement import judge_observation
 from vitrail.judge.records import Results, Run, SceneResult, Status
+from vitrail.judge.statements import run_statement, scene_statement
 from vitrail.judge.thresholds import Thresholds, thresholds_of
 from vitrail.judge.verdict import overall
 from vitrail.pipeline.ablate import with_whereabouts
@@ -26,7 +28,12 @@ def judge_scene(run: SceneRun, rules: Thresholds, level: float) -> SceneResult:
     observations = with_whereabouts(judged, run.search, rules, level)
     words = [each.verdict for each in observations] + [each.verdict for each in run.record.global_metrics]
     verdict = overall(words) if observations else None
-    update: dict[str, object] = {"observations": observations, "verdict": verdict}
+    update: dict[str, object] = {
+        "observations": observations,
+        "verdict": verdict,
+        "bound": worst(entry for each in observations for entry in each.comparisons),
+        "statement": scene_statement(observations),
+    }
     if verdict is None:
         update |= {"status": Status.SCENE_ERROR, "message": "the scene observes nothing; add an `observe` entry"}
     return changed(run.record, **update)
@@ -53,13 +60,15 @@ def judge(
         for run in runs
     )
     keys = [scene.verdict.value if scene.verdict else "unjudged" for scene in scenes]
+    counts = {key: keys.count(key) for key in sorted(set(keys))}
     codes = [scene.exit_code for scene in scenes] + ([ExitCode.INTERRUPTED] if about.interrupted else [])
     return Results(
         run=about,
         false_alarms=shared,
         scenes=scenes,
-        counts={key: keys.count(key) for key in sorted(set(keys))},
+        counts=counts,
         verdict=overall(scene.verdict for scene in scenes),
+        statement=run_statement(counts),
         exit_code=of_run(codes),
     )
 
