@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -11,10 +12,14 @@ from vitrail.base.progress import Progress, silent
 
 @dataclass(frozen=True)
 class Rendering:
-    """An image and how it was made. ``record`` is the run record, with the settings that were actually used."""
+    """An image and how it was made. ``record`` is the run record, with the settings that were actually used.
+
+    ``views`` are the images of the views that the lowered scene asks for, by name.
+    """
 
     image_path: Path
     record: dict[str, Any]
+    views: Mapping[str, Path] = field(default_factory=dict)
 
     @property
     def interrupted(self) -> bool:

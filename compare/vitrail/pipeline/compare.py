@@ -88,7 +88,8 @@ def _stored(loaded: Loaded, references: Path, request: Request) -> Stored | None
 def _prepared(loaded: Loaded, stored: Stored | None, request: Request) -> Job:
     """The scene with the request's settings, or by the recipe of the stored image where that is to be made again."""
     if stored is None:
-        return prepare(loaded, request.quality, request.overrides)
+        job = prepare(loaded, request.quality, request.overrides)
+        return job.with_views() if request.views else job
     recipe = {key: value for key, value in stored.provenance.settings.items() if key != "quality"}
     return prepare(loaded, Quality(stored.provenance.quality), {**recipe, **request.overrides})
 

@@ -16,9 +16,10 @@ from typing import TYPE_CHECKING, Any, Literal, assert_never, overload
 from vitrail.base.engine_name import EngineName
 from vitrail.geometry.world import World
 from vitrail.plan.analyse import analyse
-from vitrail.plan.budget import settings_for
+from vitrail.plan.budget import settings_for, settings_for_views
 from vitrail.plan.plan import Plan
 from vitrail.plan.settings import Quality, Settings
+from vitrail.plan.views import ObservationView, views_of
 from vitrail.scene.load import Loaded
 from vitrail.scene.model import Scene
 
@@ -28,12 +29,17 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Job:
-    """One scene that can be lowered and rendered. ``world`` is its geometry; it holds the scene that is rendered."""
+    """One scene that can be lowered and rendered. ``world`` is its geometry; it holds the scene that is rendered.
+
+    ``overrides`` are the settings that somebody asked for; ``views`` the pictures that are made beside the scene's own.
+    """
 
     loaded: Loaded = field(repr=False)
     world: World = field(repr=False)
     plan: Plan
     settings: Settings
+    overrides: Mapping[str, object] = field(default_factory=dict)
+    views: tuple[ObservationView, ...] = ()
 
     @property
     def scene(self) -> Scene:
@@ -43,6 +49,11 @@ class Job:
     def with_scene(self, scene: Scene) -> Job:
         """The same plan and settings for a changed scene."""
         return replace(self, world=self.world.with_scene(scene))
+
+    def with_views(self) -> Job:
+        """The same job with a view for every observed patch, and with the settings that go with views."""
+        settings = settings_for_views(self.world, self.plan, self.settings.quality, **self.overrides)
+        return replace(self, settings=settings, views=views_of(self.world, self.plan, settings))
 
     @overload
     def lowered(self, engine: Literal[EngineName.TRACER], *, wavelength_nm: float | None = None) -> dict[str, Any]: ...
@@ -82,4 +93,5 @@ def prepare(
     """
     world = World.of(loaded)
     plan = planner(world)
-    return Job(loaded, world, plan, settings_for(world, plan, quality, **(overrides or {})))
+    asked = dict(overrides or {})
+    return Job(loaded, world, plan, settings_for(world, plan, quality, **asked), asked)

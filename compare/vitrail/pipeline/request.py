@@ -22,9 +22,9 @@ class Request:
 
     ``against`` says what the tracer is held against beside closed forms: ``povray``, ``stored`` (its own accepted
     image, made again by that image's recipe), both, or nothing. ``threads`` 0 takes every core; ``jobs`` scenes are
-    worked on at a time; after the first look up to ``rounds`` more buy samples for the scenes in doubt, for at most
-    ``budget_s`` CPU seconds each. ``references`` is the folder of closed forms, thresholds and stored images, or None
-    for the one nearest to each scene.
+    worked on at a time. With ``views`` every observation is measured in a picture of its own. After the first look up
+    to ``rounds`` more buy samples for the scenes in doubt, for at most ``budget_s`` CPU seconds each. ``references`` is
+    the folder of closed forms, thresholds and stored images, or None for the one nearest to each scene.
     """
 
     out: Path
@@ -32,6 +32,7 @@ class Request:
     overrides: Mapping[str, object] = field(default_factory=dict)
     threads: int = 0
     jobs: int = 1
+    views: bool = False
     rounds: int = 0
     budget_s: float = BUDGET_S
     references: Path | None = None

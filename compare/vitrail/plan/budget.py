@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from vitrail.base.changed import changed
@@ -35,14 +36,27 @@ def settings_for(world: World, plan: Plan, quality: Quality = Quality.NORMAL, **
     indirect light gets no photons at all; one with an observed caustic gets the samples that resolve it. Raises Fault
     for an unknown field or a value out of range.
     """
-    scene = world.scene
-    asked = read_settings({**_usual(scene, plan, quality), **overrides})
-    if "gather_radius_m" not in overrides:
-        asked = changed(asked, gather_radius_m=gather_radius_m(world, plan, asked.photons))
-    is_free = "samples" not in overrides and scene.image.samples is None and asked.quality is not Quality.DRAFT
+    asked = _asked(world, plan, quality, overrides, views=False)
+    is_free = "samples" not in overrides and world.scene.image.samples is None and asked.quality is not Quality.DRAFT
     if is_free and plan.requires(Phenomenon.CAUSTIC):
         asked = changed(asked, samples=max(asked.samples, samples_for(world, asked.gather_radius_m)))
     return asked
+
+
+def settings_for_views(world: World, plan: Plan, quality: Quality = Quality.NORMAL, **overrides: object) -> Settings:
+    """As ``settings_for``, where each patch is observed in a view of its own.
+
+    The pixels of the scene's picture then say nothing about the gather radius, nor about the samples of a pixel: those
+    are the level's, and ``views`` adds to them where a caustic wants more. Raises Fault as ``settings_for`` does.
+    """
+    return _asked(world, plan, quality, overrides, views=True)
+
+
+def _asked(world: World, plan: Plan, quality: Quality, overrides: Mapping[str, object], *, views: bool) -> Settings:
+    asked = read_settings({**_usual(world.scene, plan, quality), **overrides})
+    if "gather_radius_m" in overrides:
+        return asked
+    return changed(asked, gather_radius_m=gather_radius_m(world, plan, asked.photons, views=views))
 
 
 def _usual(scene: Scene, plan: Plan, quality: Quality) -> dict[str, object]:

@@ -29,19 +29,20 @@ USUAL_PHOTONS = 1_000_000
 """The number for which the shares above balance blur against noise; the radius follows photons^(-1/6) from there."""
 
 
-def gather_radius_m(world: World, plan: Plan, photons: int) -> float:
+def gather_radius_m(world: World, plan: Plan, photons: int, *, views: bool = False) -> float:
     """The radius of the photon kernel, metres, with a short mantissa.
 
     It follows from the smallest observed caustic patch and the pixels on it, else from the smallest object that casts a
-    caustic, else from the scene. The mantissa is rounded to three bits: a scene scaled by 2^k gets exactly 2^k times
-    the radius, and the number prints short.
+    caustic, else from the scene. With ``views`` every patch has the pixels that it needs, and only its size counts. The
+    mantissa is rounded to three bits: a scene scaled by 2^k gets exactly 2^k times the radius, and the number prints
+    short.
     """
     scene = world.scene
     patches = [item.patch for item in scene.observe if item.phenomenon == Phenomenon.CAUSTIC]
     casters = {path.specular for path in plan.caustic_paths}
     sizes = [world.bounds(item).radius_m for item in scene.objects if item.name in casters]
     if patches:
-        radius = min(_radius_on(world, patch) for patch in patches)
+        radius = min(_radius_on(patch) if views else _radius_seen_on(world, patch) for patch in patches)
     elif any(math.isfinite(size) for size in sizes):
         radius = min(sizes) * OBJECT_SHARE
     else:
@@ -49,9 +50,14 @@ def gather_radius_m(world: World, plan: Plan, photons: int) -> float:
     return _short(radius * (USUAL_PHOTONS / max(photons, 1)) ** (1 / 6) if photons else radius)
 
 
-def _radius_on(world: World, patch: Patch) -> float:
+def _radius_on(patch: Patch) -> float:
+    """The radius that shows a patch as fine as it is."""
+    return bounds_of_patch(patch).radius_m * PATCH_SHARE
+
+
+def _radius_seen_on(world: World, patch: Patch) -> float:
     """The radius that shows a patch as fine as it, and the picture, can be seen."""
-    return max(bounds_of_patch(patch).radius_m * PATCH_SHARE, math.sqrt(pixel_area_m2(world.view, patch)) * PIXEL_SHARE)
+    return max(_radius_on(patch), math.sqrt(pixel_area_m2(world.view, patch)) * PIXEL_SHARE)
 
 
 def _short(value: float) -> float:

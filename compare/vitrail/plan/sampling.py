@@ -24,10 +24,13 @@ MOST = 32
 
 def samples_for(world: World, gather_radius_m: float) -> int:
     """The least number of samples a pixel that resolves every observed caustic, at most ``MOST``; 1 without any."""
-    areas = [
-        pixel_area_m2(world.view, item.patch) for item in world.scene.observe if item.phenomenon is Phenomenon.CAUSTIC
-    ]
-    wanted = max((area / (SPACING * gather_radius_m) ** 2 for area in areas), default=1.0)
+    patches = [item.patch for item in world.scene.observe if item.phenomenon is Phenomenon.CAUSTIC]
+    return max((samples_to_see(world.view, patch, gather_radius_m) for patch in patches), default=1)
+
+
+def samples_to_see(view: View, patch: Patch, gather_radius_m: float) -> int:
+    """The least number of samples a pixel that resolves the caustic on a patch, at most ``MOST``."""
+    wanted = pixel_area_m2(view, patch) / (SPACING * gather_radius_m) ** 2
     return max(1, min(math.ceil(wanted), MOST))
 
 
