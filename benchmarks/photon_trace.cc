@@ -27,8 +27,26 @@ Scene ball_lens(bool fresnel) {
   return scene;
 }
 
-void trace_ball(benchmark::State& state, bool fresnel, Strategy strategy) {
-  const Scene scene = ball_lens(fresnel);
+// The same ball where every one of so many bands has an index of its own.
+Scene ball_of_bands(std::int64_t count) {
+  Scene scene = ball_lens(false);
+  scene.bands.clear();
+  for (Material& material : scene.materials) {
+    const double ior = material.ior_by_band.front();
+    material.ior_by_band.clear();
+    material.ior_minus_one_by_band.clear();
+    for (std::int64_t band = 0; band < count; ++band) {
+      const double share = 1 / static_cast<double>(count),
+                   own = ior + (ior > 1 ? 0.05 * share * static_cast<double>(band) : 0);
+      material.ior_by_band.push_back(own);
+      material.ior_minus_one_by_band.push_back(own - 1);
+      if (&material == &scene.materials.front()) scene.bands.push_back({"band", {share, share, share}, {}});
+    }
+  }
+  return scene;
+}
+
+void trace(benchmark::State& state, const Scene& scene, Strategy strategy) {
   const Intersector intersector(scene);
   const Targets targets = find_targets(scene, intersector);
   constexpr std::uint64_t kBlock = 8192;
@@ -42,12 +60,16 @@ void trace_ball(benchmark::State& state, bool fresnel, Strategy strategy) {
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(kBlock));
 }
 
-void photons_through_ball(benchmark::State& state) { trace_ball(state, false, Strategy::automatic); }
-void photons_through_ball_with_fresnel(benchmark::State& state) { trace_ball(state, true, Strategy::automatic); }
-void photons_through_ball_one_by_one(benchmark::State& state) { trace_ball(state, false, Strategy::tree); }
+void photons_through_ball(benchmark::State& state) { trace(state, ball_lens(false), Strategy::automatic); }
+void photons_through_ball_with_fresnel(benchmark::State& state) { trace(state, ball_lens(true), Strategy::automatic); }
+void photons_through_ball_one_by_one(benchmark::State& state) { trace(state, ball_lens(false), Strategy::tree); }
+void photons_through_dispersive_ball(benchmark::State& state) {
+  trace(state, ball_of_bands(state.range(0)), Strategy::automatic);
+}
 BENCHMARK(photons_through_ball);
 BENCHMARK(photons_through_ball_with_fresnel);
 BENCHMARK(photons_through_ball_one_by_one);
+BENCHMARK(photons_through_dispersive_ball)->Arg(4)->Arg(32)->Arg(140);
 
 void sobol_points_2d(benchmark::State& state) {
   const Stream stream = stream_of(1, Purpose::kEmissionPosition);

@@ -103,5 +103,38 @@ TEST(PhotonWave, SplitsBandsAsTheGeneralWayDoes) {
   expect_the_same_light(builder.scene);
 }
 
+/// A ball of glass with so many bands, which differ in nothing but their index.
+Scene ball_of_bands(int count) {
+  SceneBuilder builder = floor_and_sun();
+  builder.scene.bands.clear();
+  Material flint = glass(1.6);
+  flint.ior_by_band.clear();
+  flint.ior_minus_one_by_band.clear();
+  for (int band = 0; band < count; ++band) {
+    const double share = 1.0 / count;
+    builder.scene.bands.push_back({"band", {share, share, share}, {}});
+    flint.ior_by_band.push_back(1.6 + 0.1 * share * band);
+    flint.ior_minus_one_by_band.push_back(0.6 + 0.1 * share * band);
+  }
+  builder.scene.materials[0].ior_by_band.assign(static_cast<std::size_t>(count), 1);
+  builder.scene.materials[0].ior_minus_one_by_band.assign(static_cast<std::size_t>(count), 0);
+  builder.add("ball", SphereShape{{0, 2, 0}, 1}, builder.add(flint));
+  return builder.scene;
+}
+
+/// A photon divides once a face and band: the first face gives each band its share, the second divides each band once.
+TEST(PhotonWave, DividesOnceAFaceAndBand) {
+  for (const int bands : {4, 32}) {
+    const Scene scene = ball_of_bands(bands);
+    const Intersector intersector(scene);
+    const Targets targets = find_targets(scene, intersector);
+    const PhotonPass pass{{scene, intersector}, {targets.surroundings.center}};
+    const Chart sun = make_charts(scene, targets, 1000).front();
+    const PhotonBlock block = trace_photons(pass, sun, stream_of(1, Purpose::kEmissionPosition), 0, 1000);
+    EXPECT_EQ(block.divisions, 2000u * static_cast<unsigned>(bands));
+    EXPECT_LT(block.ledger.closure(), 1e-12);
+  }
+}
+
 }  // namespace
 }  // namespace vitrail

@@ -17,6 +17,7 @@ inline constexpr double kLeastPhotonShare = 1e-4;
 struct PhotonBlock {
   std::vector<PhotonRecord> photons;
   Ledger ledger;
+  std::uint64_t divisions = 0;  // how often a face divided a photon of the wave: what the work grows with
 };
 
 /// Keeps every landing as a photon of a block.

@@ -29,7 +29,7 @@ PhotonWave::PhotonWave(const PhotonPass& pass, std::uint32_t target, Stream stre
       objects_(pass.scene),
       store_(pass.frame, block),
       tree_(pass, target, stream, store_, block.ledger),
-      met_(2 * pass.scene.objects.size()),
+      met_(4 * pass.scene.objects.size()),
       rays_(std::make_unique<RayChunk>()),
       group_(std::make_unique<Group>()),
       lanes_(std::make_unique<DielectricLanes>()) {
@@ -93,13 +93,14 @@ void PhotonWave::step(std::size_t first, std::size_t count) {
     } else if (rays.too_close[i] || !is_plain(now_.state(first + i).medium, met)) {
       follow_generally(first + i);
     } else if (met.object == target_ || now_.state(first + i).has_bounced()) {
-      met_[static_cast<std::size_t>(rays.met[i])].push_back(static_cast<std::uint16_t>(i));
+      const bool chosen = now_.state(first + i).band != kNoBand;
+      met_[2 * static_cast<std::size_t>(rays.met[i]) + (chosen ? 1 : 0)].push_back(static_cast<std::uint16_t>(i));
     }  // else leave the photon to the chart of what it meets, or to direct light
   }
-  for (std::size_t met = 0; met < met_.size(); ++met) {
-    if (met_[met].empty()) continue;
-    arrive(HitId::of_lane(static_cast<std::int64_t>(met)), met_[met], first);
-    met_[met].clear();
+  for (std::size_t kind = 0; kind < met_.size(); ++kind) {
+    if (met_[kind].empty()) continue;
+    arrive(HitId::of_lane(static_cast<std::int64_t>(kind / 2)), met_[kind], first);
+    met_[kind].clear();
   }
 }
 

@@ -38,7 +38,7 @@ class PhotonWave {
     bool transmits = false, mirrors = false, is_sheet = false, stores = false, disperses = false, absorbs = false;
     int priority = 0;
   };
-  // Photons at the same side of the same object, side by side.
+  // Photons at the same side of the same object, side by side: all of them have a band, or none.
   struct Group {
     HitId met;
     std::size_t count = 0;
@@ -85,7 +85,8 @@ class PhotonWave {
   std::vector<Face> faces_;
   bool anything_absorbs_ = false;
   PathStates now_, next_;
-  std::vector<std::vector<std::uint16_t>> met_;  // by HitId::lane: rays of the chunk
+  // Rays of the chunk: by HitId::lane, each first those without a band and then those with one.
+  std::vector<std::vector<std::uint16_t>> met_;
   std::unique_ptr<RayChunk> rays_;
   std::unique_ptr<Group> group_;
   std::unique_ptr<DielectricLanes> lanes_;

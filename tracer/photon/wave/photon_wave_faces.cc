@@ -43,7 +43,7 @@ void PhotonWave::arrive(HitId met, const std::vector<std::uint16_t>& rays, std::
   const Face& face = face_of(group);
   if (!face.mirrors && !face.transmits) {
     stop(group);
-  } else if (face.disperses) {
+  } else if (face.disperses && group.band[0] == kNoBand) {
     divide_by_band(group);
   } else {
     divide(group);
@@ -68,15 +68,12 @@ void PhotonWave::stop(const Group& group) {
 
 // Give each band its weight at the first face that tells bands apart; from there on it keeps its own index.
 void PhotonWave::divide_by_band(Group& group) {
-  const auto band = group.band;
   const auto flux = group.flux;
   for (std::size_t b = 0; b < scene_.bands.size(); ++b) {
     const Rgb weight = scene_.bands[b].weight;
     for (std::size_t i = 0; i < group.count; ++i) {
-      const bool chosen = band[i] != kNoBand;
       group.band[i] = static_cast<std::int16_t>(b);
-      const bool takes_part = !chosen || band[i] == group.band[i];
-      for (int c = 0; c < 3; ++c) group.flux[c][i] = takes_part ? flux[c][i] * (chosen ? 1 : weight[c]) : 0;
+      for (int c = 0; c < 3; ++c) group.flux[c][i] = flux[c][i] * weight[c];
     }
     divide(group);
   }
@@ -115,6 +112,7 @@ void PhotonWave::find_lobes(const Group& group) {
 // Divide the light as `interact` does: a fixed share each way, or the pool by Fresnel; all of the pool where the
 // reflection is total.
 void PhotonWave::divide(const Group& group) {
+  block_.divisions += group.count;
   find_lobes(group);
   const Face& face = face_of(group);
   const Material& material = *face.material;
