@@ -22,6 +22,14 @@ open(value_of("--record"), "w").write('{"vitrail_run": 1, "interrupted": false}'
 """
 
 
+VIEWED: dict[str, Any] = {**LOWERED, "views": [{"name": "spot"}, {"name": "rim"}]}
+
+WRITES_VIEWS = """
+for name in ("spot", "rim"):
+    open(os.path.join(value_of("--views"), name + ".exr"), "w").write(name)
+"""
+
+
 def fake(tmp_path: Path, code: str) -> Tracer:
     """A tracer that is a few lines of Python."""
     program = tmp_path / "fake-tracer"
@@ -54,6 +62,28 @@ def test_a_good_run_brings_image_record_and_input_home(tmp_path: Path) -> None:
     assert made.record["process"]["cpu_s"] > 0
     assert json.loads((tmp_path / "out" / "tracer.run.json").read_text()) == made.record
     assert not made.interrupted
+
+
+def test_the_pictures_of_views_come_home_by_name(tmp_path: Path) -> None:
+    out = tmp_path / "out"
+    made = fake(tmp_path, WRITES + WRITES_VIEWS).render(VIEWED, out)
+    assert made.views == {"spot": out / "tracer.spot.exr", "rim": out / "tracer.rim.exr"}
+    assert {path.read_text() for path in made.views.values()} == {"spot", "rim"}
+    assert sorted(path.name for path in out.iterdir()) == [
+        "tracer.exr",
+        "tracer.json",
+        "tracer.rim.exr",
+        "tracer.run.json",
+        "tracer.spot.exr",
+    ]
+    assert fake(tmp_path, WRITES).render(LOWERED, tmp_path / "plain").views == {}
+
+
+def test_a_run_without_one_of_its_views_is_a_failure(tmp_path: Path) -> None:
+    code = WRITES + WRITES_VIEWS + "os.remove(os.path.join(value_of('--views'), 'rim.exr'))"
+    with pytest.raises(EngineFailure, match=r"wrote no image rim\.exr"):
+        fake(tmp_path, code).render(VIEWED, tmp_path / "out")
+    assert list((tmp_path / "out").iterdir()) == []
 
 
 def test_threads_are_passed_on_only_when_chosen(tmp_path: Path) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import signal
 import subprocess
@@ -19,6 +20,7 @@ from vitrail.lower.tracer import lower_tracer
 from vitrail.plan.analyse import analyse, everything
 from vitrail.plan.budget import settings_for
 from vitrail.plan.plan import Plan
+from vitrail.plan.views import ObservationView
 from vitrail.scene.load import load_text
 from vitrail.scene.model import Image, Scene
 
@@ -75,6 +77,29 @@ lights: []
     image = rendered(scene, everything(World.of_scene(scene)), 0, tmp_path, loaded.path)
     # Weights are multiples of 2^-40; the image is kept in single precision.
     np.testing.assert_allclose(image.radiance, 1, rtol=2**-23)
+
+
+def test_views_come_from_the_photons_of_the_picture_and_leave_it_as_it_is(tmp_path: Path) -> None:
+    scene = small(ROOT / "scenes" / "calibration" / "ball_lens.yaml")
+    world = World.of_scene(scene)
+    plan = analyse(world)
+    settings = settings_for(world, plan, "draft", photons=PHOTONS)
+    views = (
+        ObservationView("same", ("a",), scene.camera, scene.image, settings.samples),
+        ObservationView("finer", ("b",), scene.camera, Image(width=48, height=48), 4),
+    )
+    alone = Tracer().render(lower_tracer(world, plan, settings), tmp_path / "alone")
+    made = Tracer().render(lower_tracer(world, plan, settings, views=views), tmp_path / "viewed")
+    picture = read_image(made.image_path)
+    np.testing.assert_array_equal(picture.radiance, read_image(alone.image_path).radiance)
+    np.testing.assert_array_equal(picture.radiance, read_image(made.views["same"]).radiance)
+    finer = read_image(made.views["finer"])
+    assert finer.radiance.shape == (48, 48, 3)
+    assert finer.metadata["vitrail:view"] == "finer"
+    assert json.loads(finer.metadata["vitrail:settings"])["samples"] == 4
+    assert [view["name"] for view in made.record["views"]] == ["same", "finer"]
+    assert all(view["camera_rays"] > 0 and view["cpu_s"]["camera"] >= 0 for view in made.record["views"])
+    assert made.record["counters"]["photons_stored"] == alone.record["counters"]["photons_stored"]
 
 
 def test_progress_tells_the_phases(tmp_path: Path) -> None:

@@ -15,6 +15,8 @@ from vitrail.lower.tracer import lower_tracer
 from vitrail.optics.glass import glass_named
 from vitrail.plan.analyse import analyse, everything
 from vitrail.plan.budget import settings_for
+from vitrail.plan.views import ObservationView
+from vitrail.scene.model import Image
 from vitrail.scene.print import scene_hash
 
 GOLDEN = Path(__file__).parents[1] / "golden"
@@ -36,6 +38,26 @@ def test_the_lowered_text_is_the_one_that_was_looked_at(name: str, tmp_path: Pat
     (tmp_path / expected.name).write_text(obtained, encoding="utf-8")
     assert expected.is_file(), f"there is no {expected}; look at {tmp_path / expected.name} and copy it there"
     assert obtained == expected.read_text(encoding="utf-8"), f"diff {expected} {tmp_path / expected.name}"
+
+
+def test_views_are_pictures_more_with_cameras_of_their_own() -> None:
+    scene = check_file(GOLDEN / "plain.yaml").scene_or_raise().scene
+    world = World.of_scene(scene)
+    plan = analyse(world)
+    camera = scene.camera.model_copy(
+        update={"position": (0.0, 4.0, 0.0), "look_at": (0.0, 0.0, 0.0), "up": (0.0, 0.0, -1.0)}
+    )
+    view = ObservationView("spot", ("spot", "rim"), camera, Image(width=40, height=20), 16)
+    plain = lower_tracer(world, plan, settings_for(world, plan))
+    made = lower_tracer(world, plan, settings_for(world, plan), views=(view,))
+    assert "views" not in plain
+    views = made.pop("views")
+    assert made == plain
+    assert [(one["name"], one["image"], one["samples"]) for one in views] == [("spot", {"width": 40, "height": 20}, 16)]
+    own, seen = plain["camera"], views[0]["camera"]
+    assert set(seen) == set(own)
+    assert (seen["kind"], seen["position"], seen["forward"]) == (own["kind"], (0, 4, 0), (0, -1, 0))
+    assert seen["half_width"] == pytest.approx(2 * seen["half_height"])
 
 
 def part(scene: dict, key: str, name: str) -> dict:

@@ -222,6 +222,7 @@ Scene ball_at(Vec3 place, double k = 1) {
   builder.add("ball", SphereShape{place * k, 0.5 * k}, builder.add(glass(1.5)));
   builder.add("floor", PlaneShape{(place - Vec3{0, 1, 0}) * k, {0, 1, 0}}, 0);
   builder.scene.camera.position = (place + Vec3{0, 2, 5}) * k;
+  builder.scene.views = {builder.scene.picture()};
   builder.scene.lights.push_back({"lamp", PointLight{(place + Vec3{0, 4, 0}) * k, {1, 1, 1}}});
   return builder.scene;
 }
@@ -239,6 +240,7 @@ TEST(CentreScene, BringsFarScenesBackWithoutRounding) {
   const Vec3 center = std::get<SphereShape>(scene.objects[0].shape).center;
   EXPECT_EQ(center + scene.shift, (Vec3{1e6 + 0.25, 0.5, -1e9}));
   EXPECT_EQ(scene.camera.position - center, (Vec3{0, 2, 5}));
+  EXPECT_EQ(scene.views[0].camera.position, scene.camera.position);
   EXPECT_EQ(std::get<PointLight>(scene.lights[0].emitter).position - center, (Vec3{0, 4, 0}));
   EXPECT_EQ(std::get<PlaneShape>(scene.objects[1].shape).point - center, (Vec3{0, -1, 0}));
   EXPECT_LT(largest_coordinate(center), 16);

@@ -14,7 +14,7 @@ namespace vitrail {
 namespace {
 
 struct RenderOptions {
-  std::string scene, image, record;
+  std::string scene, image, views, record;
   unsigned threads = 0;
   std::optional<int> samples;
   std::optional<std::uint64_t> photons, seed;
@@ -37,20 +37,35 @@ void read_skies(Scene& scene) {
   }
 }
 
+void write_picture(const std::string& path, const Scene& scene, const Picture& picture, const Film& film) {
+  std::map<std::string, std::string> metadata = {{"vitrail:scene_hash", scene.scene_hash},
+                                                 {"vitrail:engine", "vitrail-tracer " VITRAIL_VERSION},
+                                                 {"vitrail:settings", settings_json(scene, picture)}};
+  if (!picture.view.empty()) metadata["vitrail:view"] = picture.view;
+  write_exr(path, film, scene.plan, metadata);
+}
+
+// The scene's own picture, and the views in their folder.
+void write_pictures(const RenderOptions& options, const Scene& scene, const Rendering& rendering) {
+  write_picture(options.image, scene, scene.picture(), rendering.film);
+  for (std::size_t v = 0; v < scene.views.size(); ++v) {
+    const Picture& view = scene.views[v];
+    write_picture(options.views + "/" + view.view + ".exr", scene, view, rendering.views[v].film);
+  }
+}
+
 int run_render(const RenderOptions& options) {
   const double wall_start_s = wall_s();
 
   // Load, render, write.
   Scene scene = read_scene(options.scene);
   override_settings(options, scene.settings);
+  if (options.views.empty()) scene.views.clear();
   read_skies(scene);
   ProgressLines progress(options.progress ? stderr : nullptr);
   const unsigned threads = thread_count(options.threads);
   const Rendering rendering = render(scene, {threads, progress});
-  write_exr(options.image, rendering.film, scene.plan,
-            {{"vitrail:scene_hash", scene.scene_hash},
-             {"vitrail:engine", "vitrail-tracer " VITRAIL_VERSION},
-             {"vitrail:settings", settings_json(scene)}});
+  write_pictures(options, scene, rendering);
 
   // Say what was done.
   for (const std::string& warning : rendering.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
@@ -68,9 +83,12 @@ void add_render_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("render", "render a lowered scene to an EXR image");
   command->add_option("scene", options->scene, "lowered scene, JSON")->required();
   command->add_option("--out", options->image, "image to write, EXR")->required();
+  command->add_option("--views", options->views, "existing folder for the views of the scene, one EXR each")
+      ->check(CLI::ExistingDirectory);
   command->add_option("--record", options->record, "run record to write, JSON");
   command->add_option("--threads", options->threads, "threads; 0 takes what the machine offers");
-  command->add_option("--samples", options->samples, "samples per pixel")->check(CLI::PositiveNumber);
+  command->add_option("--samples", options->samples, "samples per pixel of the scene's own picture")
+      ->check(CLI::PositiveNumber);
   command->add_option("--photons", options->photons, "photons, shared out over lights and glass");
   command->add_option("--gather-radius-m", options->gather_radius_m, "radius of the gather disc in metres")
       ->check(CLI::PositiveNumber);

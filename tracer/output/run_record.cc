@@ -16,9 +16,9 @@ using Json = nlohmann::ordered_json;
 
 Json triplet(Rgb v) { return Json::array({v.r, v.g, v.b}); }
 
-Json settings_object(const Scene& scene) {
+Json settings_object(const Scene& scene, const Picture& picture) {
   const Settings& settings = scene.settings;
-  return {{"samples", settings.samples},
+  return {{"samples", picture.samples},
           {"photons", settings.photons},
           {"gather_radius_m", settings.gather_radius_m},
           {"seed", settings.seed},
@@ -32,6 +32,16 @@ Json ledger_object(const Ledger& ledger) {
   return {{"emitted", triplet(ledger.emitted)},     {"stored", triplet(ledger.stored)},
           {"absorbed", triplet(ledger.absorbed)},   {"escaped", triplet(ledger.escaped)},
           {"truncated", triplet(ledger.truncated)}, {"closure", ledger.closure()}};
+}
+
+Json views_array(const Rendering& rendering) {
+  Json views = Json::array();
+  for (const RenderedView& view : rendering.views) {
+    views.push_back({{"name", view.name},
+                     {"camera_rays", view.camera_rays},
+                     {"cpu_s", {{"camera", view.camera_cpu_s}, {"gather", view.gather_cpu_s}}}});
+  }
+  return views;
 }
 
 // The most that was resident, as the system counts it for this program alone: getrusage would count in what the program
@@ -48,7 +58,7 @@ std::uint64_t peak_memory_bytes() {
 
 }  // namespace
 
-std::string settings_json(const Scene& scene) { return settings_object(scene).dump(); }
+std::string settings_json(const Scene& scene, const Picture& picture) { return settings_object(scene, picture).dump(); }
 
 std::string run_record_json(const Scene& scene, const Rendering& rendering, const RunFacts& facts) {
   const CpuSeconds& cpu = rendering.cpu_s;
@@ -57,7 +67,7 @@ std::string run_record_json(const Scene& scene, const Rendering& rendering, cons
                        {"engine", "tracer"},
                        {"version", facts.version},
                        {"scene_hash", scene.scene_hash},
-                       {"settings", settings_object(scene)},
+                       {"settings", settings_object(scene, scene.picture())},
                        {"threads", facts.threads},
                        {"cpu_s",
                         {{"total", facts.cpu_total_s},
@@ -74,6 +84,7 @@ std::string run_record_json(const Scene& scene, const Rendering& rendering, cons
                          {"photons_emitted", counters.photons_emitted},
                          {"photons_stored", counters.photons_stored},
                          {"gather_queries", counters.gather_queries}}},
+                       {"views", views_array(rendering)},
                        {"ledger", ledger_object(rendering.ledger)},
                        {"warnings", rendering.warnings},
                        {"interrupted", rendering.interrupted}};

@@ -14,8 +14,9 @@ struct RunFacts {
   double cpu_total_s = 0, wall_s = 0;
 };
 
-/// The settings actually used, as a JSON object on one line; also in the header of the image.
-std::string settings_json(const Scene& scene);
+/// The settings actually used for a picture of the scene, as a JSON object on one line; also in the header of its
+/// image.
+std::string settings_json(const Scene& scene, const Picture& picture);
 
 std::string run_record_json(const Scene& scene, const Rendering& rendering, const RunFacts& facts);
 

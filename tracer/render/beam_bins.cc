@@ -34,7 +34,7 @@ struct Piece {
 
 class BeamPainter {
  public:
-  explicit BeamPainter(const World& world) : scene_(world.scene), camera_(world) {}
+  BeamPainter(const World& world, const Picture& picture) : picture_(picture), camera_(world, picture) {}
 
   void paint(const BeamMap& map, std::size_t index, std::vector<Deposit>& deposits) {
     const Beam& beam = map.beam(index);
@@ -58,7 +58,7 @@ class BeamPainter {
     int visible = 0;
     double least = INFINITY, most = 0;
     for (const Vec3& corner : piece.corner) {
-      const std::optional<ImagePoint> point = project(scene_.camera, scene_.image, corner);
+      const std::optional<ImagePoint> point = project(picture_.camera, picture_.image, corner);
       if (!point) continue;
       seen[visible++] = *point;
       least = std::min(least, point->pixels_per_facing_m2);
@@ -92,7 +92,7 @@ class BeamPainter {
   bool is_off_image(const std::array<ImagePoint, 3>& seen) const {
     const auto [left, right] = std::minmax({seen[0].x, seen[1].x, seen[2].x});
     const auto [top, bottom] = std::minmax({seen[0].y, seen[1].y, seen[2].y});
-    return right < 0 || bottom < 0 || left >= scene_.image.width || top >= scene_.image.height;
+    return right < 0 || bottom < 0 || left >= picture_.image.width || top >= picture_.image.height;
   }
 
   // Cut the piece into rows and those into columns, within the image.
@@ -123,7 +123,7 @@ class BeamPainter {
       low = std::min(low, polygon.corners[k].x);
       high = std::max(high, polygon.corners[k].x);
     }
-    return within_image(low, high, scene_.image.width);
+    return within_image(low, high, picture_.image.width);
   }
   std::array<int, 2> rows_of(const Polygon& polygon) const {
     double low = INFINITY, high = -INFINITY;
@@ -131,7 +131,7 @@ class BeamPainter {
       low = std::min(low, polygon.corners[k].y);
       high = std::max(high, polygon.corners[k].y);
     }
-    return within_image(low, high, scene_.image.height);
+    return within_image(low, high, picture_.image.height);
   }
   static std::array<int, 2> within_image(double low, double high, int size) {
     if (!(low <= high)) return {0, -1};
@@ -142,7 +142,7 @@ class BeamPainter {
   // Give a share of the piece to the pixel around a place of the image, if the surface is what is seen there.
   void deposit(const Piece& piece, const std::array<ImagePoint, 3>& seen, Polygon::Corner place, double share) {
     const int x = static_cast<int>(std::floor(place.x)), y = static_cast<int>(std::floor(place.y));
-    if (x < 0 || y < 0 || x >= scene_.image.width || y >= scene_.image.height) return;
+    if (x < 0 || y < 0 || x >= picture_.image.width || y >= picture_.image.height) return;
     const FirstHit hit = camera_.through(place.x, place.y);
     const Arrival& arrival = hit.arrival;
     if (arrival.escaped || !(dot(arrival.event.facing_normal, normal_) > 0) || is_elsewhere(arrival.hit.point)) return;
@@ -154,13 +154,13 @@ class BeamPainter {
 
   bool is_elsewhere(Vec3 point) const {
     const Vec3 from_beam = point - sides_.p;
-    const double rounding = kRounding * (sides_.longest + length(point) + length(scene_.camera.position));
+    const double rounding = kRounding * (sides_.longest + length(point) + length(picture_.camera.position));
     return length(from_beam) > 2 * sides_.longest + rounding ||
            std::abs(dot(from_beam, plane_)) > sides_.room + rounding;
   }
 
   double seen_at(Vec3 point, const std::array<ImagePoint, 3>& seen) const {
-    const std::optional<ImagePoint> there = project(scene_.camera, scene_.image, point);
+    const std::optional<ImagePoint> there = project(picture_.camera, picture_.image, point);
     return there ? there->pixels_per_facing_m2 : seen[0].pixels_per_facing_m2;
   }
 
@@ -177,7 +177,7 @@ class BeamPainter {
     return piece.power[0] * (1 - v - w) + piece.power[1] * v + piece.power[2] * w;
   }
 
-  const Scene& scene_;
+  const Picture& picture_;
   FirstHitFinder camera_;
   BeamMap::Sides sides_;
   Vec3 normal_, plane_;  // of the surface where the beam lands, of any length; of the beam's plane, unit or nothing
@@ -186,17 +186,19 @@ class BeamPainter {
 
 }  // namespace
 
-double deposit_beams(const World& world, const BeamMap& map, int half, const Workers& workers, Film& film) {
-  const std::size_t blocks = (map.size() + kBeamsPerBlock - 1) / kBeamsPerBlock;
+std::size_t deposit_blocks(const BeamMap& map) { return (map.size() + kBeamsPerBlock - 1) / kBeamsPerBlock; }
+
+double deposit_beams(const World& world, const Picture& picture, const BeamMap& map, int half, const Workers& workers,
+                     Film& film) {
+  const std::size_t blocks = deposit_blocks(map);
   double cpu_s = 0;
   std::vector<std::vector<Deposit>> deposits(kBlocksAtOnce);
-  workers.monitor.begin("light_bins", blocks);
   for (std::size_t begin = 0; begin < blocks && !workers.monitor.interrupted(); begin += kBlocksAtOnce) {
     // Cut the beams of some blocks on all threads, ...
     const std::size_t count = std::min(kBlocksAtOnce, blocks - begin);
     for (std::vector<Deposit>& of_block : deposits) of_block.clear();
     cpu_s += workers.for_each_block(count, [&](std::uint64_t b) {
-      BeamPainter painter(world);
+      BeamPainter painter(world, picture);
       const std::size_t first = (begin + b) * kBeamsPerBlock, last = std::min(map.size(), first + kBeamsPerBlock);
       for (std::size_t i = first; i < last; ++i) painter.paint(map, i, deposits[b]);
     });

@@ -12,6 +12,10 @@ namespace vitrail {
 /// sees by way of mirrors and glass is left to the map. Each beam is cut along the edges of the pixels, and each piece
 /// brings its pixel d / pi times its flux times the pixels per square metre that the surface covers there. The order of
 /// addition is that of the map: the same bits for any threads. Returns the CPU seconds of all threads.
-double deposit_beams(const World& world, const BeamMap& map, int half, const Workers& workers, Film& film);
+double deposit_beams(const World& world, const Picture& picture, const BeamMap& map, int half, const Workers& workers,
+                     Film& film);
+
+/// How many blocks of work, units of the monitor's phase, that is.
+std::size_t deposit_blocks(const BeamMap& map);
 
 }  // namespace vitrail

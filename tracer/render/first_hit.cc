@@ -4,13 +4,13 @@
 
 namespace vitrail {
 
-FirstHitFinder::FirstHitFinder(const World& world)
-    : world_(world), media_(world.intersector.media_at(world.scene.camera.position)) {}
+FirstHitFinder::FirstHitFinder(const World& world, const Picture& picture)
+    : world_(world), picture_(picture), media_(world.intersector.media_at(picture.camera.position)) {}
 
 FirstHit FirstHitFinder::through(double x, double y) const {
   const Scene& scene = world_.scene;
-  const Ray ray = camera_ray(scene.camera, scene.image, x, y);
-  const bool from_one_place = scene.camera.kind == CameraKind::perspective;
+  const Ray ray = camera_ray(picture_.camera, picture_.image, x, y);
+  const bool from_one_place = picture_.camera.kind == CameraKind::perspective;
   const PathState path{.ray = ray,
                        .media = from_one_place ? media_ : world_.intersector.media_at(ray.origin),
                        .ior = scene.paper.disperse_camera ? IorSource::band : IorSource::camera};

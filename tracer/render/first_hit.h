@@ -14,13 +14,14 @@ struct FirstHit {
 
 class FirstHitFinder {
  public:
-  explicit FirstHitFinder(const World& world);
+  FirstHitFinder(const World& world, const Picture& picture);
 
   /// What is seen through (x, y) in pixels from the top left corner.
   FirstHit through(double x, double y) const;
 
  private:
   const World& world_;
+  const Picture& picture_;
   MediumSet media_;  // around a camera that looks from one place
 };
 

@@ -20,12 +20,12 @@ struct Deposit {
 };
 
 // What the pixel that sees a photon gets from it, if one does.
-std::optional<Deposit> deposit_of(const Scene& scene, const FirstHitFinder& camera, const PhotonMap::Photon& photon,
+std::optional<Deposit> deposit_of(const Picture& picture, const FirstHitFinder& camera, const PhotonMap::Photon& photon,
                                   double radius_m) {
-  const std::optional<ImagePoint> seen = project(scene.camera, scene.image, photon.position);
+  const std::optional<ImagePoint> seen = project(picture.camera, picture.image, photon.position);
   if (!seen) return {};
   const int x = static_cast<int>(std::floor(seen->x)), y = static_cast<int>(std::floor(seen->y));
-  if (x < 0 || y < 0 || x >= scene.image.width || y >= scene.image.height) return {};
+  if (x < 0 || y < 0 || x >= picture.image.width || y >= picture.image.height) return {};
 
   // The photon must lie on the first surface that this place of the pixel sees, on the side that is seen.
   const FirstHit hit = camera.through(seen->x, seen->y);
@@ -39,12 +39,14 @@ std::optional<Deposit> deposit_of(const Scene& scene, const FirstHitFinder& came
 
 }  // namespace
 
-double deposit_in_pixels(const World& world, const PhotonMap& map, int half, const Workers& workers, Film& film) {
-  const std::size_t blocks = (map.size() + kPhotonsPerBlock - 1) / kPhotonsPerBlock;
-  const FirstHitFinder camera(world);
+std::size_t deposit_blocks(const PhotonMap& map) { return (map.size() + kPhotonsPerBlock - 1) / kPhotonsPerBlock; }
+
+double deposit_in_pixels(const World& world, const Picture& picture, const PhotonMap& map, int half,
+                         const Workers& workers, Film& film) {
+  const std::size_t blocks = deposit_blocks(map);
+  const FirstHitFinder camera(world, picture);
   double cpu_s = 0;
   std::vector<std::optional<Deposit>> deposits;
-  workers.monitor.begin("light_bins", blocks);
   for (std::size_t begin = 0; begin < blocks && !workers.monitor.interrupted(); begin += kBlocksAtOnce) {
     // Find the pixels of some blocks on all threads, ...
     const std::size_t count = std::min(kBlocksAtOnce, blocks - begin), first = begin * kPhotonsPerBlock;
@@ -52,7 +54,7 @@ double deposit_in_pixels(const World& world, const PhotonMap& map, int half, con
     cpu_s += workers.for_each_block(count, [&](std::uint64_t b) {
       const std::size_t end = std::min(deposits.size(), (b + 1) * kPhotonsPerBlock);
       for (std::size_t i = b * kPhotonsPerBlock; i < end; ++i) {
-        deposits[i] = deposit_of(world.scene, camera, map.photon(first + i), map.radius_m());
+        deposits[i] = deposit_of(picture, camera, map.photon(first + i), map.radius_m());
       }
     });
 

@@ -16,6 +16,10 @@ inline bool counts_in_pixels(const Scene& scene) { return scene.solver() != Solv
 /// d / pi F times the pixels per square metre that the surface covers there: the exact mean over the pixel, with the
 /// noise of single photons and no bias. The order of addition is that of the map: the same bits for any threads.
 /// Returns the CPU seconds of all threads.
-double deposit_in_pixels(const World& world, const PhotonMap& map, int half, const Workers& workers, Film& film);
+double deposit_in_pixels(const World& world, const Picture& picture, const PhotonMap& map, int half,
+                         const Workers& workers, Film& film);
+
+/// How many blocks of work, units of the monitor's phase, that is.
+std::size_t deposit_blocks(const PhotonMap& map);
 
 }  // namespace vitrail

@@ -74,24 +74,72 @@ LightMaps trace_light(const World& world, const Workers& workers, Rendering& res
   return maps;
 }
 
-// Follow the camera paths of every pixel.
-void trace_camera(const LitWorld& world, const Workers& workers, Rendering& result) {
-  const std::vector<Tile> tiles = tiles_of(world.scene.image);
+// A picture under way: what it shows, where its light is collected, and what it has cost.
+struct Canvas {
+  Picture picture;
+  Film& film;
+  TileStatistics cost{};
+};
+
+// The scene's own picture and its views, in this order.
+std::vector<Canvas> canvases_of(const Scene& scene, Rendering& result) {
+  for (const Picture& view : scene.views) {
+    result.views.push_back({.name = view.view, .film = Film(view.image.width, view.image.height)});
+  }
+  std::vector<Canvas> canvases{{scene.picture(), result.film}};
+  for (std::size_t v = 0; v < scene.views.size(); ++v) canvases.push_back({scene.views[v], result.views[v].film});
+  return canvases;
+}
+
+// Follow the camera paths of every pixel of every picture.
+void trace_camera(const LitWorld& world, const Workers& workers, std::vector<Canvas>& canvases) {
+  struct TileOf {
+    Canvas* canvas;
+    Tile tile;
+  };
+  std::vector<TileOf> tiles;
+  for (Canvas& canvas : canvases) {
+    for (const Tile& tile : tiles_of(canvas.picture.image)) tiles.push_back({&canvas, tile});
+  }
   std::vector<TileStatistics> statistics(tiles.size());
   workers.monitor.begin("camera", tiles.size());
-  workers.for_each_block(tiles.size(),
-                         [&](std::uint64_t t) { statistics[t] = render_tile(world, tiles[t], result.film); });
-  for (const TileStatistics& tile : statistics) {
-    result.counters += tile.counters;
-    result.cpu_s.camera += tile.camera_cpu_s;
-    result.cpu_s.gather += tile.gather_cpu_s;
+  workers.for_each_block(tiles.size(), [&](std::uint64_t t) {
+    const Canvas& canvas = *tiles[t].canvas;
+    statistics[t] = render_tile(world, canvas.picture, tiles[t].tile, canvas.film);
+  });
+  for (std::size_t t = 0; t < tiles.size(); ++t) tiles[t].canvas->cost += statistics[t];
+}
+
+// Count the light of the maps in the pixels of every picture.
+void count_in_pixels(const World& world, const PhotonMaps& maps, const Workers& workers,
+                     std::vector<Canvas>& canvases) {
+  std::uint64_t blocks = 0;
+  for (int half = 0; half < 2; ++half) {
+    if (maps.half[half]) blocks += deposit_blocks(*maps.half[half]);
+    if (maps.beams[half]) blocks += deposit_blocks(*maps.beams[half]);
+  }
+  workers.monitor.begin("light_bins", blocks * canvases.size());
+  for (auto& [picture, film, cost] : canvases) {
+    for (int half = 0; half < 2; ++half) {
+      if (maps.half[half])
+        cost.gather_cpu_s += deposit_in_pixels(world, picture, *maps.half[half], half, workers, film);
+      if (maps.beams[half]) cost.gather_cpu_s += deposit_beams(world, picture, *maps.beams[half], half, workers, film);
+    }
   }
 }
 
-void count_in_pixels(const World& world, const PhotonMaps& maps, const Workers& workers, Rendering& result) {
-  for (int half = 0; half < 2; ++half) {
-    if (maps.half[half]) result.cpu_s.gather += deposit_in_pixels(world, *maps.half[half], half, workers, result.film);
-    if (maps.beams[half]) result.cpu_s.gather += deposit_beams(world, *maps.beams[half], half, workers, result.film);
+// Add up what the pictures cost, and note it with each view.
+void add_costs(const std::vector<Canvas>& canvases, Rendering& result) {
+  for (const Canvas& canvas : canvases) {
+    result.counters += canvas.cost.counters;
+    result.cpu_s.camera += canvas.cost.camera_cpu_s;
+    result.cpu_s.gather += canvas.cost.gather_cpu_s;
+  }
+  for (std::size_t v = 0; v < result.views.size(); ++v) {
+    const TileStatistics& cost = canvases[v + 1].cost;
+    result.views[v].camera_rays = cost.counters.camera_rays;
+    result.views[v].camera_cpu_s = cost.camera_cpu_s;
+    result.views[v].gather_cpu_s = cost.gather_cpu_s;
   }
 }
 
@@ -110,7 +158,7 @@ void refuse_what_cannot_work(const World& world) {
     found.push_back({"settings.memory_limit_mb",
                      "the rendering needs about " + std::to_string(static_cast<long>(mb)) + " MB, the limit is " +
                          std::to_string(static_cast<long>(scene.settings.memory_limit_mb)) + " MB",
-                     "lower `photons` or the image size, or raise the limit"});
+                     "lower `photons` or the size of the pictures, or raise the limit"});
   }
   if (!found.empty()) throw InputError(found);
 }
@@ -137,8 +185,10 @@ Rendering render(const Scene& scene, const Workers& workers) {
 
   // Send out the photons, follow the camera paths, and bring the two together.
   const LightMaps maps = trace_light(world, workers, result);
-  trace_camera({world, maps}, workers, result);
-  if (counts_in_pixels(scene)) count_in_pixels(world, maps.caustic, workers, result);
+  std::vector<Canvas> canvases = canvases_of(scene, result);
+  trace_camera({world, maps}, workers, canvases);
+  if (counts_in_pixels(scene)) count_in_pixels(world, maps.caustic, workers, canvases);
+  add_costs(canvases, result);
   result.interrupted = workers.monitor.interrupted();
   return result;
 }
@@ -146,6 +196,7 @@ Rendering render(const Scene& scene, const Workers& workers) {
 std::uint64_t predicted_bytes(const World& world) {
   const Scene& scene = world.scene;
   std::uint64_t bytes = Film::predicted_bytes(scene.image.width, scene.image.height);
+  for (const Picture& view : scene.views) bytes += Film::predicted_bytes(view.image.width, view.image.height);
   if (has_photon_pass(scene)) {
     const double stored = stored_per_photon(world);
     const auto corners = static_cast<std::size_t>(stored * static_cast<double>(scene.settings.photons));

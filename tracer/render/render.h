@@ -1,5 +1,5 @@
 #pragma once
-/// A scene to a film: photons first, then the image tile by tile.
+/// A scene to films: photons first, once for all pictures, then every picture tile by tile.
 
 #include <string>
 #include <vector>
@@ -21,8 +21,18 @@ struct Counters {
   Counters& operator+=(const Counters& other);
 };
 
-struct Rendering {
+/// A picture more, its film and what it cost.
+struct RenderedView {
+  std::string name;
   Film film;
+  std::uint64_t camera_rays = 0;
+  double camera_cpu_s = 0, gather_cpu_s = 0;
+};
+
+/// Costs and counters are those of all pictures together.
+struct Rendering {
+  Film film;  // of the scene's own picture
+  std::vector<RenderedView> views{};
   Ledger ledger{};
   CpuSeconds cpu_s{};
   Counters counters{};
@@ -30,7 +40,8 @@ struct Rendering {
   bool interrupted = false;
 };
 
-/// Render with scene.settings. The same bits for any number of threads. Throws InputError if settings cannot work: no
+/// Render the scene's picture and its views from the same photons. The same bits for any number of threads; views
+/// change nothing in the picture. Throws InputError if settings cannot work: no
 /// gather radius for a caustic, or more memory predicted than settings.memory_limit_mb.
 Rendering render(const Scene& scene, const Workers& workers);
 

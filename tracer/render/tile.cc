@@ -20,10 +20,8 @@ struct PixelSampler {
   bool centred;  // one sample, through the centre, ...
   bool shared;   // ... which serves both halves where nothing but the photons to gather tells them apart
 
-  explicit PixelSampler(const Scene& scene)
-      : per_half(std::max(1, (scene.settings.samples + 1) / 2)),
-        centred(scene.settings.samples <= 1),
-        shared(centred && !is_random(scene)) {}
+  PixelSampler(const Scene& scene, int samples)
+      : per_half(std::max(1, (samples + 1) / 2)), centred(samples <= 1), shared(centred && !is_random(scene)) {}
 
   // Whether two paths through one place may see two things: by rough faces, lamps with an extent, or a final gather.
   static bool is_random(const Scene& scene) {
@@ -42,8 +40,13 @@ struct PixelSampler {
 // Follow every sample of a pixel and add what is seen at once; leave the rest in `requests`.
 class PixelRenderer {
  public:
-  PixelRenderer(const LitWorld& world, Film& film, TileStatistics& statistics)
-      : world_(world), film_(film), statistics_(statistics), sampler_(world.scene), tracer_(world) {}
+  PixelRenderer(const LitWorld& world, const Picture& picture, Film& film, TileStatistics& statistics)
+      : world_(world),
+        picture_(picture),
+        film_(film),
+        statistics_(statistics),
+        sampler_(world.scene, picture.samples),
+        tracer_(world) {}
 
   void render(int x, int y, std::uint32_t pixel_in_tile, std::vector<GatherRequest>& requests) {
     const double share = 1.0 / sampler_.per_half;
@@ -70,25 +73,26 @@ class PixelRenderer {
 
  private:
   void trace_sample(int x, int y, int half, int sample) {
-    const Scene& scene = world_.scene;
-    const auto pixel =
-        static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(scene.image.width) + static_cast<std::uint64_t>(x);
-    const auto [dx, dy] = sampler_.at(scene.settings.seed, pixel, half, sample);
+    const std::uint64_t seed = world_.scene.settings.seed;
+    const auto pixel = static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(picture_.image.width) +
+                       static_cast<std::uint64_t>(x);
+    const auto [dx, dy] = sampler_.at(seed, pixel, half, sample);
     CameraPath path;
-    path.ray = camera_ray(scene.camera, scene.image, x + dx, y + dy);
+    path.ray = camera_ray(picture_.camera, picture_.image, x + dx, y + dy);
     path.media = world_.intersector.media_at(path.ray.origin);
-    path.draw = {stream_of(scene.settings.seed, Purpose::kLightSample, pixel, static_cast<std::uint64_t>(half)),
+    path.draw = {stream_of(seed, Purpose::kLightSample, pixel, static_cast<std::uint64_t>(half)),
                  static_cast<std::uint32_t>(sample)};
-    path.rough = stream_of(scene.settings.seed, Purpose::kCameraRoughness, pixel, static_cast<std::uint64_t>(half));
-    path.gather = stream_of(scene.settings.seed, Purpose::kFinalGather, pixel, static_cast<std::uint64_t>(half));
+    path.rough = stream_of(seed, Purpose::kCameraRoughness, pixel, static_cast<std::uint64_t>(half));
+    path.gather = stream_of(seed, Purpose::kFinalGather, pixel, static_cast<std::uint64_t>(half));
     path.half = half;
-    path.light_samples = std::max(1, kLightSamplesPerPixel / std::max(1, scene.settings.samples));
+    path.light_samples = std::max(1, kLightSamplesPerPixel / std::max(1, picture_.samples));
     tracer_.trace(path, result_);
     statistics_.counters.camera_rays += result_.rays;
     statistics_.counters.shadow_rays += result_.shadow_rays;
   }
 
   const LitWorld& world_;
+  const Picture& picture_;
   Film& film_;
   TileStatistics& statistics_;
   PixelSampler sampler_;
@@ -111,6 +115,13 @@ void gather(const PhotonMaps& maps, const Tile& tile, const std::vector<GatherRe
 
 }  // namespace
 
+TileStatistics& TileStatistics::operator+=(const TileStatistics& other) {
+  counters += other.counters;
+  camera_cpu_s += other.camera_cpu_s;
+  gather_cpu_s += other.gather_cpu_s;
+  return *this;
+}
+
 std::vector<Tile> tiles_of(const Image& image) {
   std::vector<Tile> tiles;
   for (int y = 0; y < image.height; y += kTileSide) {
@@ -121,11 +132,11 @@ std::vector<Tile> tiles_of(const Image& image) {
   return tiles;
 }
 
-TileStatistics render_tile(const LitWorld& world, const Tile& tile, Film& film) {
+TileStatistics render_tile(const LitWorld& world, const Picture& picture, const Tile& tile, Film& film) {
   TileStatistics statistics;
   std::vector<GatherRequest> requests;
   const double start = thread_cpu_s();
-  PixelRenderer renderer(world, film, statistics);
+  PixelRenderer renderer(world, picture, film, statistics);
   std::uint32_t pixel = 0;
   for (int y = tile.y0; y < tile.y1; ++y) {
     for (int x = tile.x0; x < tile.x1; ++x) renderer.render(x, y, pixel++, requests);

@@ -16,9 +16,10 @@ std::vector<Tile> tiles_of(const Image& image);
 struct TileStatistics {
   Counters counters;
   double camera_cpu_s = 0, gather_cpu_s = 0;
+  TileStatistics& operator+=(const TileStatistics& other);
 };
 
 /// Render a tile into its part of the film.
-TileStatistics render_tile(const LitWorld& world, const Tile& tile, Film& film);
+TileStatistics render_tile(const LitWorld& world, const Picture& picture, const Tile& tile, Film& film);
 
 }  // namespace vitrail

@@ -74,6 +74,7 @@ void centre_scene(Scene& scene) {
 
   scene.shift = scene.shift + shift;
   scene.camera.position += -shift;
+  for (Picture& view : scene.views) view.camera.position += -shift;
   for (Object& object : scene.objects) std::visit([&](auto& shape) { shape.move(-shift); }, object.shape);
   for (Light& light : scene.lights) std::visit(MoveEmitter{-shift}, light.emitter);
 }

@@ -13,6 +13,14 @@ namespace vitrail {
 
 namespace {
 
+Image read_image(const JsonValue& value) {
+  value.object({"width", "height"});
+  return {static_cast<int>(value.at("width").integer(1, 16384)),
+          static_cast<int>(value.at("height").integer(1, 16384))};
+}
+
+int read_samples(const JsonValue& value) { return static_cast<int>(value.integer(1, 1 << 20)); }
+
 Camera read_camera(const JsonValue& value) {
   Camera camera;
   value.object({"kind", "position", "forward", "right", "up", "half_width", "half_height"});
@@ -30,6 +38,16 @@ Camera read_camera(const JsonValue& value) {
   if (complete && !(length(cross(camera.forward, camera.up) - camera.right) <= 1e-9))
     value.fault("has axes that are not right = forward x up", "write an orthonormal, right-handed triple");
   return camera;
+}
+
+std::vector<Picture> read_views(const JsonValue& value) {
+  std::vector<Picture> views;
+  for (const JsonValue& item : value.array()) {
+    item.object({"name", "image", "camera", "samples"});
+    views.push_back({item.at("name").string(), read_image(item.at("image")), read_camera(item.at("camera")),
+                     read_samples(item.at("samples"))});
+  }
+  return views;
 }
 
 std::vector<Band> read_bands(const JsonValue& value) {
@@ -108,7 +126,7 @@ Settings read_settings(const JsonValue& value) {
   Settings settings;
   value.object({"samples", "photons", "gather_radius_m", "seed", "rough_samples", "final_gather_rays",
                 "memory_limit_mb", "solver"});
-  settings.samples = static_cast<int>(value.at("samples").integer(1, 1 << 20));
+  settings.samples = read_samples(value.at("samples"));
   settings.photons = static_cast<std::uint64_t>(value.at("photons").integer(0, std::int64_t{1} << 40));
   settings.gather_radius_m = value.at("gather_radius_m").number(Range::not_negative());
   settings.seed = value.at("seed").count();
@@ -137,15 +155,14 @@ Object read_object(const JsonValue& value, std::size_t materials) {
 Scene read_parts(const JsonValue& root) {
   Scene scene;
   root.object({"vitrail_lowered", "title", "scene_hash", "image", "camera", "bands", "materials", "objects", "lights",
-               "transport", "paper", "plan", "settings"});
+               "transport", "paper", "plan", "settings"},
+              {"views"});
   root.at("vitrail_lowered").integer(1, 1);
   scene.title = root.at("title").string();
   scene.scene_hash = root.at("scene_hash").string();
-  const JsonValue image = root.at("image");
-  image.object({"width", "height"});
-  scene.image = {static_cast<int>(image.at("width").integer(1, 16384)),
-                 static_cast<int>(image.at("height").integer(1, 16384))};
+  scene.image = read_image(root.at("image"));
   scene.camera = read_camera(root.at("camera"));
+  if (root.has("views")) scene.views = read_views(root.at("views"));
   scene.bands = read_bands(root.at("bands"));
   for (const JsonValue& item : root.at("materials").array())
     scene.materials.push_back(read_material(item, scene.bands.size()));

@@ -31,6 +31,14 @@ struct Camera {
   double half_width = 1, half_height = 1;
 };
 
+/// What is to be rendered of a scene: the scene's own picture, or a view, a picture more from the same photons.
+struct Picture {
+  std::string view;  // its name; empty for the scene's own picture
+  Image image;
+  Camera camera;
+  int samples = 1;  // per pixel
+};
+
 /// One part of the spectrum with one refraction index per material; the weights of all bands sum to (1, 1, 1).
 struct Band {
   std::string name;
@@ -187,6 +195,7 @@ struct Scene {
   std::string title, scene_hash;
   Image image;
   Camera camera;
+  std::vector<Picture> views;
   std::vector<Band> bands;
   std::vector<Material> materials;
   std::vector<Object> objects;
@@ -198,6 +207,9 @@ struct Scene {
 
   /// What was subtracted from every position to bring the scene to the origin; add it to print a world position.
   Vec3 shift;
+
+  /// The scene's own picture.
+  Picture picture() const { return {"", image, camera, settings.samples}; }
 
   const Material& material_of(std::uint32_t object) const { return materials[objects[object].material]; }
 

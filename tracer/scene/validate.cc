@@ -1,6 +1,8 @@
 #include "scene/validate.h"
 
+#include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace vitrail {
 
@@ -41,11 +43,33 @@ void check_bands(const Scene& scene, std::vector<Diagnostic>& faults) {
     }
 }
 
+// Whether a name can name a file in a folder: a word of at most 200 bytes that neither hides the file nor leaves the
+// folder.
+bool is_file_name(const std::string& name) {
+  constexpr std::size_t kLongest = 200;
+  const auto is_wrong = [](unsigned char c) { return c < ' ' || c == 0x7f || c == '/' || c == '\\'; };
+  return !name.empty() && name.size() <= kLongest && name.front() != '.' &&
+         std::none_of(name.begin(), name.end(), is_wrong);
+}
+
+void check_views(const Scene& scene, std::vector<Diagnostic>& faults) {
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < scene.views.size(); ++i) {
+    const std::string path = "scene.views[" + std::to_string(i) + "].name", &name = scene.views[i].view;
+    if (!is_file_name(name))
+      faults.push_back({path, "cannot name a file",
+                        "write 1 to 200 characters without / and \\ that do not begin with a full stop"});
+    if (!names.insert(name).second)
+      faults.push_back({path, "is also the name of another view", "give every view a name of its own"});
+  }
+}
+
 }  // namespace
 
 std::vector<Diagnostic> validate(const Scene& scene) {
   std::vector<Diagnostic> faults;
   check_bands(scene, faults);
+  check_views(scene, faults);
   for (std::size_t i = 0; i < scene.objects.size(); ++i) check_object(scene, i, faults);
   return faults;
 }

@@ -68,6 +68,8 @@ class Tracer:
     ) -> Rendering:
         """Render ``lowered`` into ``out_dir``: tracer.json (the input), tracer.exr, tracer.run.json.
 
+        Each view of ``lowered`` becomes tracer.<view>.exr.
+
         ``threads`` 0 takes every core. Files appear whole or not at all; after Ctrl-C they hold the finished work and
         the record says so. Raises EngineFailure, and KeyboardInterrupt when nothing was finished.
         """
@@ -75,16 +77,20 @@ class Tracer:
         with tempfile.TemporaryDirectory(dir=out_dir, prefix=".tracer-") as work:
             scene, image, record = (Path(work) / f"tracer.{kind}" for kind in ("json", "exr", "run.json"))
             scene.write_text(canonical_json(lowered), encoding="utf-8")
-            options = ["--out", str(image), "--record", str(record), "--progress"]
+            views = {view["name"]: Path(work) / "views" / f"{view['name']}.exr" for view in lowered.get("views", ())}
+            options = ["--out", str(image), "--record", str(record), "--progress", *_views_option(Path(work), views)]
             options += ["--threads", str(threads)] if threads else []
             limits = Limits(memory_bytes=_address_space(lowered), wall_s=self._timeout_s)
             finished = self._run(["render", str(scene), *options], limits, progress)
             if finished.interrupted and not (image.is_file() and record.is_file()):
                 raise KeyboardInterrupt
-            found = _read_record(finished, image, record)
+            found = _read_record(finished, (image, *views.values()), record)
+            homes = {name: out_dir / f"tracer.{name}.exr" for name in views}
+            for name, file in views.items():
+                os.replace(file, homes[name])
             for file in (scene, record, image):
                 os.replace(file, out_dir / file.name)
-        return Rendering(out_dir / image.name, found)
+        return Rendering(out_dir / image.name, found, homes)
 
     def trace(self, lowered: dict[str, Any], arguments: Sequence[str]) -> dict[str, Any]:
         """Follow one ray; the answer is the tracer's own, with its vertices. Raises EngineFailure."""
@@ -116,6 +122,15 @@ def _address_space(lowered: dict[str, Any]) -> int:
     return int(lowered["settings"]["memory_limit_mb"]) * 2**20 + ADDRESS_ROOM_BYTES
 
 
+def _views_option(work: Path, views: dict[str, Path]) -> list[str]:
+    """Where the tracer puts the pictures of views, a folder made for them; nothing where there are none."""
+    if not views:
+        return []
+    folder = work / "views"
+    folder.mkdir()
+    return ["--views", str(folder)]
+
+
 def _listener(progress: Progress) -> Any:
     """Use up the lines that are progress, and leave the words."""
 
@@ -130,9 +145,9 @@ def _listener(progress: Progress) -> Any:
     return use
 
 
-def _read_record(finished: Finished, image: Path, record: Path) -> dict[str, Any]:
-    """The run record, with what we measured from outside; raises EngineFailure when image or record is missing."""
-    for file, what in ((image, "no image"), (record, "no run record")):
+def _read_record(finished: Finished, images: Sequence[Path], record: Path) -> dict[str, Any]:
+    """The run record, with what we measured from outside; raises EngineFailure when a file of the run is missing."""
+    for file, what in (*((image, f"no image {image.name}") for image in images), (record, "no run record")):
         if not file.is_file() or file.stat().st_size == 0:
             raise EngineFailure("tracer", f"it ended well but wrote {what}", "build it again", finished.said)
     found = _read_json(finished, record.read_text(encoding="utf-8"), "its run record")

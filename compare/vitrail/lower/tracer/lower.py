@@ -7,9 +7,11 @@ chain), so that the tracer cannot spend time on it.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import asdict
 from typing import Any
 
+from vitrail.geometry.camera import View
 from vitrail.geometry.world import World
 from vitrail.lower.tracer.lights import lowered_light
 from vitrail.lower.tracer.materials import bands_of, lowered_material
@@ -17,26 +19,35 @@ from vitrail.lower.tracer.shapes import lowered_shape
 from vitrail.plan.plan import Plan
 from vitrail.plan.reduced import reduced
 from vitrail.plan.settings import Settings
+from vitrail.plan.views import ObservationView
 from vitrail.scene.model import Ambient, Object, Scene
 from vitrail.scene.print import scene_hash
 
 Json = dict[str, Any]
 
 
-def lower_tracer(world: World, plan: Plan, settings: Settings, *, wavelength_nm: float | None = None) -> Json:
+def lower_tracer(
+    world: World,
+    plan: Plan,
+    settings: Settings,
+    *,
+    views: Sequence[ObservationView] = (),
+    wavelength_nm: float | None = None,
+) -> Json:
     """The tracer's input; files that the scene names have full paths, if the world has a folder.
 
     All lengths are metres, all directions of unit length, colours linear Rec. 709; ``canonical_json`` prints it.
+    Pictures of ``views`` are made from the photons of the scene's own picture.
     """
     scene, folder = world.scene, world.folder
     kept, bands = reduced(scene, plan), bands_of(scene, plan, wavelength_nm)
     used = [name for name in scene.materials if any(item.material == name for item in scene.objects)]
-    return {
+    lowered: Json = {
         "vitrail_lowered": 1,
         "title": scene.title,
         "scene_hash": scene_hash(scene),
         "image": {"width": scene.image.width, "height": scene.image.height},
-        "camera": _camera(world),
+        "camera": _camera(world.view),
         "bands": [asdict(band) for band in bands],
         "materials": [lowered_material(name, kept, bands) for name in used],
         "objects": [_object(world, item, used) for item in scene.objects],
@@ -46,12 +57,23 @@ def lower_tracer(world: World, plan: Plan, settings: Settings, *, wavelength_nm:
         "plan": plan.flags(),
         "settings": _settings(settings),
     }
+    if views:
+        lowered["views"] = [_view(view) for view in views]
+    return lowered
 
 
-def _camera(world: World) -> Json:
-    view = world.view
+def _view(view: ObservationView) -> Json:
     return {
-        "kind": world.scene.camera.kind,
+        "name": view.name,
+        "image": {"width": view.image.width, "height": view.image.height},
+        "camera": _camera(View.of(view.camera, view.image)),
+        "samples": view.samples,
+    }
+
+
+def _camera(view: View) -> Json:
+    return {
+        "kind": "perspective" if view.perspective else "orthographic",
         "position": view.position,
         "forward": view.forward,
         "right": view.right,
