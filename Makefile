@@ -24,9 +24,10 @@ setup:
 build: setup
 	@tools/build.sh release vitrail-tracer
 
-# The last lines say the verdicts and where the report is; the exit code is the verdict.
+# A line says how close each scene is known to agree, the last one what to open. What is open is no failure of the demo:
+# it ends with 0 unless something deviates or fails.
 demo: build
-	@.venv/bin/vitrail compare $(SCENES) --out $(abspath $(OUT)) --jobs 2 --budget-s $(BUDGET_S)
+	@.venv/bin/vitrail compare $(SCENES) --out $(abspath $(OUT)) --jobs 2 --budget-s $(BUDGET_S) --allow-open
 
 # A prism takes POV-Ray one run a band, so fewer settings are tried on it.
 prices: build

@@ -43,5 +43,5 @@ def test_engines_have_their_names_in_a_sentence(unsure: ObservationResult) -> No
 def test_a_share_has_no_unit_and_a_length_has_metres(unsure: ObservationResult) -> None:
     (doubt, *_) = [each for each in unsure.comparisons if each.verdict is Verdict.INCONCLUSIVE]
     changed = {unit: doubt.model_copy(update={"unit": unit, "value": 0.25}) for unit in ("1", "m")}
-    assert "is 0.25, should" in sentence(unsure, changed["1"])
-    assert "is 0.25 m, should" in sentence(unsure, changed["m"])
+    assert "it is 0.25, should" in sentence(unsure, changed["1"])
+    assert "it is 0.25 m, should" in sentence(unsure, changed["m"])

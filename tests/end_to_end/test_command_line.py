@@ -84,7 +84,7 @@ def test_povray_missing_is_an_engine_that_failed(tmp_path: Path) -> None:
 def test_an_interruption_keeps_the_finished_scenes(tmp_path: Path) -> None:
     command = [sys.executable, "-m", "vitrail.commands.app", "compare", str(CARD), str(LENS), "--out", str(tmp_path)]
     known = {**os.environ, "PYTHONPATH": str(ROOT / "compare")}
-    options = ["--quality", "draft", "--set", "photons=8000000", "--rounds", "0"]
+    options = ["--quality", "draft", "--set", "photons=8000000", "--rounds", "0", "--verbose"]
     child = subprocess.Popen([*command, *options], env=known, cwd=ROOT, stderr=subprocess.PIPE, text=True)
     assert child.stderr is not None
     for line in child.stderr:

@@ -62,8 +62,8 @@ def test_a_deviation_fails_with_its_numbers_and_its_line(project: Path) -> None:
     done = pytest_in(project, "--junitxml", "junit.xml")
     assert done.returncode == 1
     line = CARD.splitlines().index(next(row for row in CARD.splitlines() if row.startswith("observe"))) + 1
-    assert f"card.yaml:{line}: deviates" in done.stdout
-    assert "tracer-vs-truth mean_radiance.red is 0.5 W sr^-1 m^-2, should be 0.6" in done.stdout
+    assert f"card.yaml:{line}: The " in done.stdout
+    assert "it is 0.5 W sr^-1 m^-2, should be 0.6" in done.stdout
     assert "Traceback" not in done.stdout
     case = ElementTree.parse(project / "junit.xml").find(".//testcase[@name='card']")
     assert case is not None and case.find("failure") is not None

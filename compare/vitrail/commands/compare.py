@@ -8,9 +8,10 @@ from pathlib import Path
 
 import typer
 
+from vitrail.base.exit_code import ExitCode
 from vitrail.commands.comparison_options import defect_named, load_all, overrides_of, reference_errors, watching
 from vitrail.commands.errors import exit_codes
-from vitrail.commands.result_formats import Format, print_in
+from vitrail.commands.result_formats import VERBOSE, Format, print_in
 from vitrail.commands.settings_options import QUALITY, SETTINGS
 from vitrail.plan.settings import Quality
 
@@ -47,6 +48,10 @@ def compare(
     inject_defect: str = typer.Option("", "--inject-defect", help="Put a known mistake in, to see it caught."),
     form: Format = typer.Option(Format.HUMAN, "--format", help="How the results are printed."),
     as_json: bool = typer.Option(False, "--json", help="The same as --format json."),
+    verbose: bool = VERBOSE,
+    allow_open: bool = typer.Option(
+        False, "--allow-open", help="End with 0 where nothing deviates or fails, though some bounds are too wide."
+    ),
 ) -> None:
     """Load, plan, lower, render, measure, judge, report."""
     with exit_codes(), reference_errors():
@@ -68,8 +73,9 @@ def compare(
             defect=defect_named(inject_defect),
             command=("vitrail", *sys.argv[1:]),
         )
-        with watching(len(loaded)) as show:
+        with watching(len(loaded), verbose=verbose) as show:
             results = compare_scenes(loaded, request, show)
         page = build_report(out)
-        print_in(Format.JSON if as_json else form, results, page, loaded)
-    raise typer.Exit(results.exit_code)
+        print_in(Format.JSON if as_json else form, results, page, loaded, verbose=verbose)
+    is_open = results.exit_code == ExitCode.INCONCLUSIVE
+    raise typer.Exit(ExitCode.AGREES if allow_open and is_open else results.exit_code)

@@ -84,8 +84,8 @@ def reference_errors() -> Iterator[None]:
 
 
 @contextmanager
-def watching(scenes: int) -> Iterator[Progress]:
-    """A bar per scene and phase on a terminal; plain lines, one per phase, where nobody can see a bar move."""
+def watching(scenes: int, *, verbose: bool = False) -> Iterator[Progress]:
+    """A bar per scene and phase on a terminal; elsewhere nothing, or with ``verbose`` a plain line per phase."""
     if sys.stderr.isatty():
         from vitrail.commands.progress_bar import progress_bar
 
@@ -95,7 +95,7 @@ def watching(scenes: int) -> Iterator[Progress]:
     seen: set[str] = set()
 
     def say(phase: str, done: float, total: float) -> None:
-        if phase not in seen:
+        if verbose and phase not in seen:
             seen.add(phase)
             typer.echo(phase, err=True)
 

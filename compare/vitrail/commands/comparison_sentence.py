@@ -1,4 +1,4 @@
-"""One comparison in a sentence: what, by how much, why, and what would decide it."""
+"""One comparison in a sentence: how close, the numbers, why, and what would decide it."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ def sentence(observation: ObservationResult, comparison: Comparison) -> str:
     """For a terminal, an annotation or a test's message; no markup."""
     interval, unit = comparison.interval, _unit(comparison.unit)
     text = (
-        f"{observation.phenomenon.value}: {comparison.pair.value} {comparison.metric} is {comparison.value:.5g}{unit}, "
-        f"should be {comparison.ideal:.5g} +- {comparison.tolerance:.3g}; "
+        f"{observation.phenomenon.value}: {comparison.pair.value} {comparison.metric} {comparison.statement}; "
+        f"it is {comparison.value:.5g}{unit}, should be {comparison.ideal:.5g} +- {comparison.tolerance:.3g}; "
         f"the difference lies in [{interval.low:.3g}, {interval.high:.3g}]"
     )
     cause = comparison.attribution

@@ -23,6 +23,7 @@ def progress_bar(title: str) -> Iterator[Callable[[str, float, float], None]]:
         def show(phase: str, done: float, total: float) -> None:
             if phase not in tasks:
                 tasks[phase] = bar.add_task(f"{title}: {phase}")
-            bar.update(tasks[phase], completed=done, total=total)
+            # What is done makes room: a comparison has three phases for each of many scenes.
+            bar.update(tasks[phase], completed=done, total=total, visible=done < total)
 
         yield show

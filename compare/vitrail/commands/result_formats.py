@@ -19,6 +19,8 @@ from vitrail.judge.records import Results, SceneResult
 if TYPE_CHECKING:
     from vitrail.scene.load import Loaded
 
+VERBOSE = typer.Option(False, "--verbose", "-v", help="Tell also what is open, what would decide it, and remarks.")
+
 Line = Callable[[SceneResult, str | None], int]
 """The line of the scene's file that a result is about: that of an observation, or of the scene."""
 
@@ -32,13 +34,13 @@ class Format(StrEnum):
     JUNIT = "junit"
 
 
-def print_in(form: Format, results: Results, page: Path, loaded: Sequence[Loaded]) -> None:
-    """Print the results of ``loaded`` scenes in one form."""
+def print_in(form: Format, results: Results, page: Path, loaded: Sequence[Loaded], *, verbose: bool = False) -> None:
+    """Print the results of ``loaded`` scenes in one form; ``verbose`` tells people also what is open."""
     match form:
         case Format.HUMAN:
             from vitrail.commands.verdict_table import print_results
 
-            print_results(results, page)
+            print_results(results, page, verbose=verbose)
         case Format.JSON:
             print_json(results.model_dump(mode="json"))
         case Format.GITHUB:
@@ -83,15 +85,17 @@ def github_annotations(results: Results, line: Line) -> list[str]:
             told = [
                 sentence(observation, each) for each in observation.comparisons if each.verdict is observation.verdict
             ]
-            text = "\n".join([*told, *where(observation), *observation.unmeasured, f"again: {scene.reproduce}"])
-            title = f"{scene.name}.{observation.name} {observation.verdict.value}"
+            said = [observation.statement, *told, *where(observation), *observation.unmeasured]
+            text = "\n".join([*said, f"again: {scene.reproduce}"])
+            title = f"{scene.name}.{observation.name} {_how_close(observation)}"
             found.append(_annotation(level, scene, line(scene, observation.name), title, text))
     return found
 
 
 def job_summary(results: Results) -> str:
     """A table in Markdown: a row a scene."""
-    rows = ["## Vitrail", "", "| scene | verdict | phenomena | why |", "|---|---|---|---|"]
+    rows = ["## Vitrail", "", results.statement, ""]
+    rows += ["| scene | how close | verdict | phenomena | why |", "|---|---|---|---|---|"]
     for scene in results.scenes:
         word = scene.verdict.value if scene.verdict else scene.status.value
         phenomena = ", ".join(f"{each.phenomenon.value} {each.verdict.value}" for each in scene.observations)
@@ -104,8 +108,8 @@ def job_summary(results: Results) -> str:
             ),
             "",
         )
-        cells = (scene.name, word, phenomena, why.replace("|", "\\|").replace("\n", "<br>"))
-        rows.append("| " + " | ".join(cells) + " |")
+        cells = (scene.name, scene.statement, word, phenomena, why)
+        rows.append("| " + " | ".join(cell.replace("|", "\\|").replace("\n", "<br>") for cell in cells) + " |")
     shared = results.false_alarms
     rows += [
         "",
@@ -134,12 +138,26 @@ def junit(results: Results) -> str:
 
 def _case(suite: ElementTree.Element, scene: SceneResult, observation: ObservationResult) -> str:
     case = ElementTree.SubElement(suite, "testcase", classname=scene.name, name=observation.name)
+    known = ElementTree.SubElement(case, "properties")
+    ElementTree.SubElement(known, "property", name="statement", value=observation.statement)
+    for entry in observation.comparisons:
+        name = f"{entry.pair.value} {entry.metric}"
+        ElementTree.SubElement(known, "property", name=name, value=entry.statement)
     if observation.verdict is Verdict.AGREES:
         return "success"
     told = [sentence(observation, each) for each in observation.comparisons if each.verdict is observation.verdict]
-    failure = ElementTree.SubElement(case, "failure", type=observation.verdict.value, message=told[0] if told else "")
-    failure.text = "\n".join([*told, *where(observation), *observation.unmeasured, f"again: {scene.reproduce}"])
+    failure = ElementTree.SubElement(case, "failure", type=observation.verdict.value, message=observation.statement)
+    failure.text = "\n".join(
+        [observation.statement, *told, *where(observation), *observation.unmeasured, f"again: {scene.reproduce}"]
+    )
     return "failure"
+
+
+def _how_close(observation: ObservationResult) -> str:
+    """The end of a title: what is open is known to a bound, the one that is most tolerances wide."""
+    if observation.verdict is Verdict.INCONCLUSIVE and observation.bound is not None:
+        return f"known to {observation.bound.words} (inconclusive)"
+    return observation.verdict.value
 
 
 def _annotation(level: str, scene: SceneResult, line: int, title: str, text: str) -> str:

@@ -9,7 +9,7 @@ import typer
 
 from vitrail.commands.comparison_options import reference_errors
 from vitrail.commands.errors import exit_codes
-from vitrail.commands.result_formats import Format, print_in
+from vitrail.commands.result_formats import VERBOSE, Format, print_in
 
 
 def score(
@@ -26,6 +26,7 @@ def score(
     unproven: bool = typer.Option(False, "--unproven", help="Judge a renderer that has not shown that it conforms."),
     form: Format = typer.Option(Format.HUMAN, "--format", help="How the results are printed."),
     as_json: bool = typer.Option(False, "--json", help="The same as --format json."),
+    verbose: bool = VERBOSE,
 ) -> None:
     """Gates, measure, judge, report."""
     with exit_codes(), reference_errors():
@@ -46,5 +47,5 @@ def score(
             command=command,
         )
         page = build_report(out)
-        print_in(Format.JSON if as_json else form, results, page, [loaded])
+        print_in(Format.JSON if as_json else form, results, page, [loaded], verbose=verbose)
     raise typer.Exit(results.exit_code)

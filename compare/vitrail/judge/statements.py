@@ -26,11 +26,13 @@ def observation_statement(
 ) -> str:
     """One observation: first the pair that matters most in full, then the others by their light."""
     pairs = [pair for pair in Pair if any(entry.pair is pair for entry in comparisons)]
-    told = []
+    told, agreed_with = [], ""
     for pair in pairs:
         mine, is_first = [entry for entry in comparisons if entry.pair is pair], pair is pairs[0]
         subject = _subject(phenomenon, pair) if is_first else maker(pair.candidate)
-        told.append(_clause(subject, pair, _aspects(mine, with_agreeing=is_first)))
+        aspects = _aspects(mine, with_agreeing=is_first)
+        told.append(_clause(subject, pair, aspects, goes_on=pair.reference == agreed_with))
+        agreed_with = "" if any(entry.verdict is Verdict.DEVIATES for entry in aspects) else pair.reference
     if unmeasured:
         told.append(f"{len(unmeasured)} of its numbers could not be measured")
     return _sentence(told, has_bound=bool(pairs))
@@ -110,8 +112,11 @@ def _widest(entry: Comparison) -> tuple[int, float]:
     return _SEVERITY.index(entry.verdict), amount / abs(entry.ideal) if is_relative else amount
 
 
-def _clause(subject: str, pair: Pair, aspects: Sequence[Comparison]) -> str:
-    """``the caustic agrees to within 1.0 %, its place to 0.6 mm``; each deviation is said as one."""
+def _clause(subject: str, pair: Pair, aspects: Sequence[Comparison], *, goes_on: bool = False) -> str:
+    """``the caustic agrees to within 1.0 %, its place to 0.6 mm``; each deviation is said as one.
+
+    ``goes_on`` leaves out the verb where the clause before has said it: ``POV-Ray to within 0.3 %``.
+    """
     other = _OTHER_SIDE.get(pair.reference, "")
     equal, unequal = (f" with {other}", f" from {other}") if other else ("", "")
     told, agreed = [], False
@@ -126,7 +131,7 @@ def _clause(subject: str, pair: Pair, aspects: Sequence[Comparison]) -> str:
             )
         else:
             bound = entry.bound.words if entry.bound is not None else "an unknown bound"
-            verb = "to" if agreed else f"agrees{equal} to within"
+            verb = "to" if agreed else "to within" if goes_on and index == 0 else f"agrees{equal} to within"
             told.append(f"{noun} {verb} {bound}{inside}{_open(entry)}")
         agreed = entry.verdict is not Verdict.DEVIATES
     return ", ".join(told)

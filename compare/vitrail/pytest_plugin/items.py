@@ -84,6 +84,7 @@ class ObservationTest(SceneTest):
     def runtest(self) -> None:
         scene = self.result
         found = next(each for each in scene.observations if each.name == self.name)
+        self.user_properties.append(("statement", found.statement))
         self.user_properties += [(f"{each.pair.value} {each.metric}", each.value) for each in found.comparisons]
         if not found.comparisons:
             raise SceneFailure("there is nothing to hold it against: no closed form, no stored image, no POV-Ray")
@@ -103,9 +104,9 @@ class WholeImageTest(SceneTest):
 
 
 def told(observation: ObservationResult, scene: SceneResult) -> str:
-    """The verdict, the numbers behind it, and how to see it again."""
+    """How close it is known to be, the numbers behind that, and how to see it again."""
     lines = [sentence(observation, each) for each in observation.comparisons if each.verdict is observation.verdict]
-    return "\n  ".join([observation.verdict.value, *lines, *observation.unmeasured, f"again: {scene.reproduce}"])
+    return "\n  ".join([observation.statement, *lines, *observation.unmeasured, f"again: {scene.reproduce}"])
 
 
 def _far(metric: GlobalMetric) -> str:
