@@ -148,7 +148,7 @@ def test_photons_that_lost_their_light_are_a_failure() -> None:
     ended = Finished(0, "", "", 0.0, 0.0, 0, interrupted=False, timed_out=False)
     shot = Execution(ended, "", statistics_of("Number of photons shot: 9000\nSurface photons stored: 100"), ())
     for stored in (0, 100):
-        outcome = Outcome(card().runs[0], np.zeros((1, 1, 3)), shot, PhotonCensus(shot, stored, np.zeros(3), 0.0))
+        outcome = Outcome(card().runs[0], (), PhotonCensus(shot, stored, np.zeros(3), 0.0))
         with pytest.raises(EngineFailure, match="stored 100 photons and saved none with light"):
             Povray()._check_photons([outcome])
 

@@ -55,9 +55,10 @@ class Cache:
         folder = self.folder(key)
         try:
             kept = json.loads((folder / RECORD).read_text(encoding="utf-8"))
-            image = folder / kept["image"]
-            return Rendering(image, kept["record"]) if image.is_file() else None
-        except (OSError, ValueError, KeyError):
+            image, views = folder / kept["image"], {name: folder / file for name, file in kept["views"].items()}
+            is_whole = all(file.is_file() for file in (image, *views.values()))
+            return Rendering(image, kept["record"], views) if is_whole else None
+        except (OSError, ValueError, KeyError, AttributeError):
             return None
 
     def rendered(self, key: str, render: Callable[[Path], Rendering]) -> Rendering:
@@ -79,7 +80,8 @@ class Cache:
 
     def _keep(self, key: str, work: Path, made: Rendering) -> Rendering:
         """Move a finished folder to its place; if somebody else was faster, theirs stays."""
-        record = {"image": made.image_path.name, "record": made.record}
+        views = {name: file.name for name, file in made.views.items()}
+        record = {"image": made.image_path.name, "record": made.record, "views": views}
         (work / RECORD).write_text(json.dumps(record), encoding="utf-8")
         folder = self.folder(key)
         folder.parent.mkdir(parents=True, exist_ok=True)

@@ -1,4 +1,4 @@
-"""From the runs of POV-Ray to one layered image and one run record."""
+"""From the runs of POV-Ray to one layered image a view and one run record."""
 
 from __future__ import annotations
 
@@ -40,18 +40,30 @@ class PhotonCensus:
 
 
 @dataclass(frozen=True)
-class Outcome:
-    """One finished run with its image (height, width, 3); a repeated one took it from a run with the same text."""
+class Drawn:
+    """The picture of one view, (height, width, 3), and the execution that drew it; the scene's own has no name."""
 
-    run: PovrayRun
+    view: str
     image: np.ndarray
     done: Execution
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """One finished run with its pictures; a repeated one took them from a run with the same texts."""
+
+    run: PovrayRun
+    drawn: tuple[Drawn, ...]
     census: PhotonCensus | None
     is_repeated: bool = False
 
     @property
     def executions(self) -> list[Execution]:
-        return [self.census.shot, self.done] if self.census else [self.done]
+        pictures = [each.done for each in self.drawn]
+        return [self.census.shot, *pictures] if self.census else pictures
+
+    def picture(self, view: str) -> Drawn:
+        return next(each for each in self.drawn if each.view == view)
 
 
 def write_result(
@@ -65,45 +77,47 @@ def write_result(
             write_whole(out_dir / "povray" / name, text)
         if run.sky is not None:
             write_sky(out_dir / "povray" / run.sky.name, run.sky.pixels)
-    image = _write_image(out_dir / "povray.exr", lowered, outcomes, version)
+    image = _write_image(out_dir / "povray.exr", "", lowered, outcomes, version)
+    views = {
+        view.name: _write_image(out_dir / f"povray.{view.name}.exr", view.name, lowered, outcomes, version)
+        for view in lowered.views
+    }
     write_whole(out_dir / "povray.run.json", canonical_json(record))
-    return Rendering(image, record)
+    return Rendering(image, record, views)
 
 
-def half_images(outcomes: list[Outcome]) -> dict[str, np.ndarray]:
-    """The radiance of each half: the sum of its runs, each averaged over its samples and times its gain."""
+def half_images(outcomes: list[Outcome], view: str = "") -> dict[str, np.ndarray]:
+    """The radiance of each half in one view: the sum of its runs, each times its gain."""
     found: dict[str, np.ndarray] = {}
     for outcome in outcomes:
-        across = outcome.run.samples_across
-        height, width = outcome.image.shape[0] // across, outcome.image.shape[1] // across
-        averaged = outcome.image.reshape(height, across, width, across, 3).mean(axis=(1, 3))
-        part = averaged * np.array(outcome.run.gain)
+        part = outcome.picture(view).image * np.array(outcome.run.gain)
         found[outcome.run.half] = found[outcome.run.half] + part if outcome.run.half in found else part
     return found
 
 
-def _write_image(path: Path, lowered: PovrayScene, outcomes: list[Outcome], version: str) -> Path:
+def _write_image(path: Path, view: str, lowered: PovrayScene, outcomes: list[Outcome], version: str) -> Path:
     """Both halves, their mean, and the variance of the mean, (a - b)^2 / 4."""
-    a, b = half_images(outcomes).values()
+    a, b = half_images(outcomes, view).values()
     metadata = {
         "vitrail:scene_hash": lowered.scene_hash,
         "vitrail:engine": f"POV-Ray {version}",
-        "vitrail:settings": json.dumps(_settings(lowered, outcomes), sort_keys=True),
+        "vitrail:settings": json.dumps(_settings(lowered, outcomes, view), sort_keys=True),
     }
+    if view:
+        metadata["vitrail:view"] = view
     with whole_file(path) as partial:
         write_image(partial, (a + b) / 2, half_a=a, half_b=b, variance=(a - b) ** 2 / 4, metadata=metadata)
     return path
 
 
-def _settings(lowered: PovrayScene, outcomes: list[Outcome]) -> dict[str, Any]:
-    """The settings asked for, and what became of them."""
+def _settings(lowered: PovrayScene, outcomes: list[Outcome], view: str = "") -> dict[str, Any]:
+    """The settings asked for, and what became of them in one picture."""
     photons, units = lowered.photons, lowered.normalisation
-    across = lowered.runs[0].samples_across
     return {
         **lowered.settings.as_record(),
         "mode": lowered.mode.name,
         "mode_reason": lowered.mode.reason,
-        "samples_used": across**2,
+        "samples_used": _samples_used(lowered, view),
         "photons_used": sum(each.census.shot.statistics.photons_shot for each in outcomes if each.census),
         "spacing_m": {half: spacing / units.scale for half, spacing in photons.spacing.items()} if photons else {},
         "units_per_metre": units.scale,
@@ -112,11 +126,16 @@ def _settings(lowered: PovrayScene, outcomes: list[Outcome]) -> dict[str, Any]:
     }
 
 
+def _samples_used(lowered: PovrayScene, view: str) -> int:
+    """Samples of a pixel in one picture of a half image."""
+    return next(each.samples_across for each in lowered.runs[0].pictures if each.view == view) ** 2
+
+
 def _record(version: str, lowered: PovrayScene, outcomes: list[Outcome], threads: int, wall_s: float) -> dict[str, Any]:
     """The run record of both engines, with what only POV-Ray has in ``runs``, ``certificate`` and ``isolation``."""
     done = [outcome for outcome in outcomes if not outcome.is_repeated]
     executions = [execution for outcome in done for execution in outcome.executions]
-    rendered = [outcome.done for outcome in done]
+    rendered = [drawn.done for outcome in done for drawn in outcome.drawn]
     shot = [outcome.census.shot for outcome in done if outcome.census]
 
     def cpu(phase: str, where: list[Execution]) -> float:
@@ -156,6 +175,7 @@ def _record(version: str, lowered: PovrayScene, outcomes: list[Outcome], threads
         "certificate": lowered.certificate.as_json(),
         "isolation": list(executions[0].walls),
         "runs": [_run_record(outcome) for outcome in outcomes],
+        "views": [_view_record(lowered, done, view.name) for view in lowered.views],
         "warnings": _warnings(outcomes),
         "interrupted": False,
     }
@@ -167,7 +187,7 @@ def _run_record(outcome: Outcome) -> dict[str, Any]:
         "name": outcome.run.name,
         "is_repeated": outcome.is_repeated,
         "gain": list(outcome.run.gain),
-        "statistics": asdict(outcome.done.statistics),
+        "statistics": asdict(outcome.picture("").done.statistics),
         "photons": None
         if census is None
         else {
@@ -178,12 +198,28 @@ def _run_record(outcome: Outcome) -> dict[str, Any]:
     }
 
 
+def _view_record(lowered: PovrayScene, done: list[Outcome], view: str) -> dict[str, Any]:
+    """What one view took of the counters and of the CPU seconds; POV-Ray gathers while it traces."""
+    drawn = [outcome.picture(view).done for outcome in done]
+    return {
+        "name": view,
+        "samples_used": _samples_used(lowered, view),
+        "camera_rays": sum(each.statistics.rays for each in drawn),
+        "cpu_s": {
+            "total": math.fsum(each.finished.cpu_s for each in drawn),
+            "camera": math.fsum(each.statistics.cpu_s["trace"] for each in drawn),
+            "gather": 0.0,
+        },
+    }
+
+
 def _warnings(outcomes: list[Outcome]) -> list[str]:
     """Rays that met the limit of depth, where the scene itself sets it, and photons that all left the scene."""
     limits = {
-        outcome.done.statistics.level_limit
+        drawn.done.statistics.level_limit
         for outcome in outcomes
-        if outcome.done.statistics.deepest_level >= outcome.done.statistics.level_limit > 0
+        for drawn in outcome.drawn
+        if drawn.done.statistics.deepest_level >= drawn.done.statistics.level_limit > 0
     }
     found = [f"camera rays reached the scene's limit of {limit} levels; what lies deeper is black" for limit in limits]
     census = [outcome.census for outcome in outcomes if outcome.census is not None]

@@ -15,12 +15,15 @@ def tracer_key(build: str, lowered: dict[str, Any]) -> str:
 
 
 def povray_key(build: str, lowered: PovrayScene | None) -> str:
-    """Of POV-Ray's image: the texts of its runs, and how their images are added up; empty where there is none.
+    """Of POV-Ray's images: the texts of its runs, and how their pictures are added up; empty where there is none.
 
     The scene's hash is in it too, because the image carries it: two scenes may have one text.
     """
     if lowered is None:
         return ""
-    sums = [f"{run.name} {run.half} {run.width} {run.height} {run.samples_across} {run.gain}" for run in lowered.runs]
+    sums = [f"{run.name} {run.half} {run.gain}" for run in lowered.runs]
+    sizes = [
+        f"{each.view} {each.width} {each.height} {each.samples_across}" for run in lowered.runs for each in run.pictures
+    ]
     texts = [text for run in lowered.runs for text in run.texts.values()]
-    return content_key("povray", build, [lowered.scene_hash, *sums, *texts, str(lowered.settings)])
+    return content_key("povray", build, [lowered.scene_hash, *sums, *sizes, *texts, str(lowered.settings)])

@@ -54,7 +54,12 @@ def _of_scene(change: Callable[[PovrayRun], PovrayRun]) -> Change:
 
 
 def _drawing(run: PovrayRun, edit: Edit) -> PovrayRun:
-    return replace(run, scene=edited(run.scene, edit))
+    return _redrawn(run, lambda file: edited(file, edit))
+
+
+def _redrawn(run: PovrayRun, change: Callable[[SdlFile], SdlFile]) -> PovrayRun:
+    """A run with all its pictures changed alike."""
+    return replace(run, pictures=tuple(replace(each, scene=change(each.scene)) for each in run.pictures))
 
 
 def _shooting(run: PovrayRun, edit: Edit) -> PovrayRun:
@@ -104,7 +109,7 @@ def _overflow(scene: PovrayScene) -> PovrayScene:
     for run in brighter.runs:
         red, green, blue = (each / BRIGHTER for each in run.gain)
         photons = None if run.photon_scene is None else sparse_photons(run.photon_scene)
-        runs.append(replace(run, scene=sparse_photons(run.scene), photon_scene=photons, gain=(red, green, blue)))
+        runs.append(replace(_redrawn(run, sparse_photons), photon_scene=photons, gain=(red, green, blue)))
     return replace(brighter, runs=tuple(runs))
 
 

@@ -75,7 +75,7 @@ class Job:
             case EngineName.POVRAY:
                 from vitrail.lower.povray import lower_povray
 
-                return lower_povray(self.world, self.plan, self.settings)
+                return lower_povray(self.world, self.plan, self.settings, self.views)
             case _:
                 assert_never(engine)
 

@@ -36,7 +36,7 @@ def translated(name: str) -> PovrayScene:
 
 
 def texts(scene: PovrayScene, layout: Layout) -> list[str]:
-    trees = [tree for run in scene.runs for tree in (run.photon_scene, run.scene) if tree is not None]
+    trees = [tree for run in scene.runs for tree in (run.photon_scene, run.pictures[0].scene) if tree is not None]
     return [printed(tree, layout) for tree in trees] + [str(run.gain) for run in scene.runs]
 
 
@@ -66,7 +66,10 @@ def test_a_mutant_changes_the_same_scenes_in_every_layout(name: str) -> None:
 def test_a_mutant_without_its_nodes_is_an_error(name: str) -> None:
     scene = translated("calibration/ball_lens")
     bare = SdlFile((Block("background", ()),))
-    runs = tuple(replace(run, scene=bare, photon_scene=bare) for run in scene.runs)
+    pictures = [tuple(replace(each, scene=bare) for each in run.pictures) for run in scene.runs]
+    runs = tuple(
+        replace(run, pictures=drawn, photon_scene=bare) for run, drawn in zip(scene.runs, pictures, strict=True)
+    )
     with pytest.raises(NothingToEdit):
         WRITTEN[name].defect.povray(replace(scene, runs=runs))
 
@@ -76,7 +79,7 @@ def test_lights_of_several_lines_are_changed_too(name: str, scene: str) -> None:
     """Edits of the finished text missed every light that was too long for one line."""
     clean = translated(f"calibration/{scene}")
     spoiled = WRITTEN[name].defect.povray(clean)
-    before, after = (made.runs[0].photon_scene or made.runs[0].scene for made in (clean, spoiled))
+    before, after = (made.runs[0].photon_scene or made.runs[0].pictures[0].scene for made in (clean, spoiled))
     lights = list(zip(found(before, "light_source"), found(after, "light_source"), strict=True))
     assert lights
     assert all(old != new for old, new in lights)

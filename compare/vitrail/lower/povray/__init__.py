@@ -10,7 +10,7 @@ walks through them: begin there. ``readable`` writes the same translation once m
 [P n] refers to the measurements of POV-Ray 3.7.0.10 listed in ``docs/sources.md``.
 """
 
-from vitrail.lower.povray.lower import PovrayRun, PovrayScene, lower_povray
+from vitrail.lower.povray.lower import PovrayPicture, PovrayRun, PovrayScene, lower_povray
 from vitrail.lower.povray.readable.readable import ReadableScene, lower_readable
 from vitrail.lower.povray.refusals.refusal import NotTranslatable
 from vitrail.lower.povray.text.edit import NothingToEdit
@@ -18,6 +18,7 @@ from vitrail.lower.povray.text.edit import NothingToEdit
 __all__ = [
     "NotTranslatable",
     "NothingToEdit",
+    "PovrayPicture",
     "PovrayRun",
     "PovrayScene",
     "ReadableScene",

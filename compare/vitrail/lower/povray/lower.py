@@ -1,13 +1,14 @@
 """Back end for POV-Ray: the scene as a set of runs whose weighted images add up to the radiance, and a certificate.
 
 Two half images estimate the noise: they differ in the pattern of photons and of the small lights that stand for a lamp.
-Each half is one run, or one a channel where POV-Ray's photons would lose colour, or one a band of light.
+Each half is one run, or one a channel where POV-Ray's photons would lose colour, or one a band of light. A run shoots
+its photons once and draws several pictures with them: the scene's own, then one for each view of an observation.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -26,36 +27,54 @@ from vitrail.lower.povray.text.scene_text import SceneText
 from vitrail.lower.povray.text.sdl import SdlFile
 from vitrail.lower.povray.text.sky import SkyPicture
 from vitrail.lower.povray.translation import Translation, translate
+from vitrail.lower.povray.viewed import refuse_distant_views, seen_by
 from vitrail.plan.plan import Plan
 from vitrail.plan.settings import Settings
+from vitrail.plan.views import ObservationView
 from vitrail.scene.print import scene_hash
 
 
 @dataclass(frozen=True)
-class PovrayRun:
-    """One execution of POV-Ray: scene text, image size, and how its image counts.
+class PovrayPicture:
+    """One picture of a run: the scene's own, whose ``view`` is empty, or that of a view of an observation.
 
-    The radiance of a half image is the sum over its runs of ``gain`` times the image, averaged over blocks of
-    ``samples_across`` x ``samples_across`` pixels. Where there are photons, ``photon_scene`` shoots and saves them, and
-    ``scene`` loads them. Both look for the file of ``sky``, if there is one, beside them.
+    A pixel is the mean of a block of ``samples_across`` x ``samples_across`` pixels of what POV-Ray draws.
+    """
+
+    view: str
+    scene: SdlFile
+    width: int
+    height: int
+    samples_across: int
+
+    @cached_property
+    def text(self) -> str:
+        """The text that draws it."""
+        return printed(self.scene)
+
+
+@dataclass(frozen=True)
+class PovrayRun:
+    """Executions of POV-Ray that share photons, and how their pictures count.
+
+    The radiance of a half image is the sum over its runs of ``gain`` times the picture. Where there are photons,
+    ``photon_scene`` shoots and saves them once, and every picture loads them. All look for the file of ``sky``, if
+    there is one, beside them.
     """
 
     name: str
     half: str
-    scene: SdlFile
+    pictures: tuple[PovrayPicture, ...]
     photon_scene: SdlFile | None
-    width: int
-    height: int
-    samples_across: int
     gain: Triplet
     max_trace_level: int
     depth_is_proven: bool
     sky: SkyPicture | None = None
 
-    @cached_property
+    @property
     def sdl(self) -> str:
-        """The text that draws."""
-        return printed(self.scene)
+        """The text that draws the scene's own picture."""
+        return self.pictures[0].text
 
     @cached_property
     def photon_sdl(self) -> str | None:
@@ -66,7 +85,9 @@ class PovrayRun:
     def texts(self) -> dict[str, str]:
         """File name to scene text, in the order in which they run."""
         shoot = {} if self.photon_sdl is None else {f"{self.name}.photons.pov": self.photon_sdl}
-        return {**shoot, f"{self.name}.pov": self.sdl}
+        # No view can be taken for the photons: its name has no dot.
+        names = [f"{self.name}.view.{each.view}.pov" if each.view else f"{self.name}.pov" for each in self.pictures]
+        return {**shoot, **{name: each.text for name, each in zip(names, self.pictures, strict=True)}}
 
 
 @dataclass(frozen=True)
@@ -83,50 +104,61 @@ class PovrayScene:
     settings: Settings
     mode: Mode
     photons: PhotonPass | None
+    views: tuple[ObservationView, ...] = ()
 
 
-def lower_povray(world: World, plan: Plan, settings: Settings) -> PovrayScene:
-    """The runs and the certificate. Raises NotTranslatable with the lines of the scene's file."""
+def lower_povray(world: World, plan: Plan, settings: Settings, views: Sequence[ObservationView] = ()) -> PovrayScene:
+    """The runs and the certificate. Raises NotTranslatable with the lines of the scene's file.
+
+    Units, gaps, depth and photons come from the scene alone; a view adds a camera, a size and its own samples.
+    """
     translation = translate(world, plan, settings)
+    refuse_distant_views(world, translation.units, views)
     image = translation.scene.image
     return PovrayScene(
         title=translation.scene.title,
         scene_hash=scene_hash(world.scene),
         width=image.width,
         height=image.height,
-        runs=tuple(_runs(translation)),
+        runs=tuple(_runs(translation, views)),
         certificate=certificate_of(translation),
         normalisation=translation.units,
         settings=settings,
         mode=translation.mode,
         photons=translation.photons,
+        views=tuple(views),
     )
 
 
-def _runs(translation: Translation) -> Iterator[PovrayRun]:
+def _runs(translation: Translation, views: Sequence[ObservationView]) -> Iterator[PovrayRun]:
     """One run for each half image and exposure."""
-    text = SceneText(translation)
+    own, close = SceneText(translation), [(view, SceneText(seen_by(translation, view))) for view in views]
     for half in HALF_SHIFTS:
         for shown in translation.mode.exposures:
             plain = replace(shown, half=half)
-            yield _run(text, replace(plain, light_factor=light_factor(translation, plain)))
+            yield _run(own, close, replace(plain, light_factor=light_factor(translation, plain)))
 
 
-def _run(text: SceneText, exposure: Exposure) -> PovrayRun:
-    translation, half = text.translation, exposure.half
-    across, depth = math.ceil(math.sqrt(translation.settings.samples)), translation.depth
-    shoots = translation.photons is not None and text.has_light(exposure)
-    sky = text.sky_picture(exposure)
+def _run(own: SceneText, close: Sequence[tuple[ObservationView, SceneText]], exposure: Exposure) -> PovrayRun:
+    translation, half = own.translation, exposure.half
+    shoots = translation.photons is not None and own.has_light(exposure)
+    sky, settings = own.sky_picture(exposure), translation.settings
+
+    def picture(text: SceneText, samples: int, view: str = "") -> PovrayPicture:
+        across, image = math.ceil(math.sqrt(samples)), text.translation.scene.image
+        scene = text.sdl(exposure, across, "load_file" if shoots else "", sky)
+        return PovrayPicture(view, scene, image.width * across, image.height * across, across)
+
     return PovrayRun(
         name="_".join(part for part in (half, exposure.name) if part),
         half=half,
-        scene=text.sdl(exposure, across, "load_file" if shoots else "", sky),
-        photon_scene=text.sdl(exposure, across, "save_file", sky) if shoots else None,
-        width=translation.scene.image.width * across,
-        height=translation.scene.image.height * across,
-        samples_across=across,
+        pictures=(
+            picture(own, settings.samples),
+            *(picture(text, view.samples, view.name) for view, text in close),
+        ),
+        photon_scene=own.sdl(exposure, 1, "save_file", sky) if shoots else None,
         gain=exposure.gain,
-        max_trace_level=depth.level,
-        depth_is_proven=depth.is_proven,
+        max_trace_level=translation.depth.level,
+        depth_is_proven=translation.depth.is_proven,
         sky=sky,
     )
