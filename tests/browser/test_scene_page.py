@@ -22,6 +22,8 @@ def open_scene(watched: Watched, report: Path, hash_text: str = "") -> Page:
     page = watched.page
     page.goto(f"{(report / 'apart' / 'index.html').as_uri()}{hash_text}")
     page.wait_for_function("VITRAIL.image('tracer') && VITRAIL.image('povray') && VITRAIL.image('error')")
+    # A pointer reaches what is on the screen: the sentences above the pictures may fill it.
+    page.evaluate("document.getElementById('stage').scrollIntoView({block: 'center', behavior: 'instant'})")
     return page
 
 

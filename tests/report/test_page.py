@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
-from vitrail.report.page import confidence, factor, number, quantity, words
+from tests.report.synthetic import write_run
+from vitrail.report.page import confidence, factor, number, quantity, unbroken, words, worst_first
 
 
 @pytest.mark.parametrize(
@@ -55,3 +58,19 @@ def test_the_sample_factor_never_promises_too_little() -> None:
 
 def test_words_of_a_metric_with_a_component() -> None:
     assert words("flux_ratio.red") == "flux ratio, red"
+
+
+def test_a_number_of_a_sentence_keeps_its_unit_on_the_line() -> None:
+    told = "The caustic agrees to within 1.0 %, its place to 0.6 mm (95 %)."
+    assert unbroken(told) == "The caustic agrees to within 1.0\u202f%, its place to 0.6\u202fmm (95\u202f%)."
+    assert unbroken("2 made of 3 m, 4 mirrors") == "2 made of 3\u202fm, 4 mirrors"
+
+
+def test_worst_first_goes_by_the_width_of_the_bound_among_what_does_not_deviate(tmp_path: Path) -> None:
+    results = write_run(tmp_path)
+    alike, apart, unsure, broken = results.scenes
+    assert unsure.bound is not None and alike.bound is not None
+    closer = alike.model_copy(update={"name": "a", "bound": alike.bound.model_copy(update={"over_tolerance": 0.2})})
+    wider = unsure.model_copy(update={"name": "z", "bound": unsure.bound.model_copy(update={"over_tolerance": 9.0})})
+    ordered = worst_first([closer, alike, unsure, wider, apart, broken])
+    assert [scene.name for scene in ordered] == ["broken", "apart", "z", "unsure", "alike", "a"]

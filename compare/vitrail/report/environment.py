@@ -43,6 +43,7 @@ def pages() -> jinja2.Environment:
         "setting": page.setting,
         "short": page.short,
         "side": page.side_name,
+        "unbroken": page.unbroken,
         "words": page.words,
     }
     found.globals |= {

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from pydantic import JsonValue
 
 from vitrail.base.phenomenon import Phenomenon
-from vitrail.judge.comparison import Comparison, ObservationResult, Pair, Verdict
+from vitrail.judge.comparison import Bound, Comparison, ObservationResult, Pair, Verdict
 from vitrail.judge.records import Results, SceneResult, Status
 
 GLYPHS = {"agrees": "✓", "deviates": "✕", "inconclusive": "?", "unjudged": "–"}
@@ -114,6 +115,11 @@ def words(name: str) -> str:
     return name.replace("_", " ").replace(".", ", ")
 
 
+def unbroken(statement: str) -> str:
+    """A sentence whose numbers keep their units on the same line."""
+    return re.sub(r"(?<=\d) (?=(%|m|mm|µm)(\W|$))", "\u202f", statement)
+
+
 def side_name(side: str) -> str:
     """The name of an image's maker as people write it."""
     return {"povray": "POV-Ray", "tracer": "Tracer", "truth": "Closed form", "stored": "Stored reference"}.get(
@@ -142,7 +148,14 @@ def run_phenomena(results: Results) -> list[str]:
 
 
 def worst_first(scenes: Iterable[SceneResult]) -> list[SceneResult]:
-    return sorted(scenes, key=lambda scene: (ORDER.index(verdict_key(scene.verdict)), scene.name))
+    """What failed, what deviates, then everything else by its widest bound in tolerances, the widest first."""
+    return sorted(scenes, key=_worst_key)
+
+
+def _worst_key(scene: SceneResult) -> tuple[int, float, int, str]:
+    place = ORDER.index(verdict_key(scene.verdict))
+    wrong = place if scene.verdict in (None, Verdict.DEVIATES) else len(ORDER)
+    return wrong, -_width(scene.bound), place, scene.name
 
 
 def by_pair(observation: ObservationResult) -> list[tuple[Pair, list[Comparison]]]:
@@ -152,7 +165,7 @@ def by_pair(observation: ObservationResult) -> list[tuple[Pair, list[Comparison]
 
 
 def headline(scene: SceneResult) -> list[tuple[ObservationResult, Comparison, int]]:
-    """What a reader must see first: of every observation with the scene's verdict the comparison that is furthest off,
+    """What a reader must see next: of every observation with the scene's verdict the comparison that is furthest off,
     and how many more there are; nothing for a scene that agrees."""
     found = []
     for observation in scene.observations:
@@ -165,13 +178,13 @@ def headline(scene: SceneResult) -> list[tuple[ObservationResult, Comparison, in
 
 
 def furthest_off(comparisons: Sequence[Comparison]) -> Comparison:
-    """Of several numbers the one whose difference is most tolerances from its ideal."""
-    return max(comparisons, key=_distance)
+    """Of several numbers the one whose bound is most tolerances wide."""
+    return max(comparisons, key=lambda entry: _width(entry.bound))
 
 
-def _distance(comparison: Comparison) -> float:
-    """How far a difference is from its ideal, in tolerances."""
-    return abs(comparison.difference) / max(comparison.tolerance, 1e-300)
+def _width(bound: Bound | None) -> float:
+    """How wide a bound is, in tolerances; 0 in a record that has none."""
+    return bound.over_tolerance or 0.0 if bound is not None else 0.0
 
 
 def flat(record: Mapping[str, JsonValue], prefix: str = "") -> list[tuple[str, JsonValue]]:
