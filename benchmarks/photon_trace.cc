@@ -66,7 +66,16 @@ void photons_through_ball_one_by_one(benchmark::State& state) { trace(state, bal
 void photons_through_dispersive_ball(benchmark::State& state) {
   trace(state, ball_of_bands(state.range(0)), Strategy::automatic);
 }
+void photons_through_rough_ball(benchmark::State& state, const Roughness& roughness, Strategy strategy) {
+  Scene scene = ball_lens(false);
+  scene.materials[1].roughness = roughness;
+  trace(state, scene, strategy);
+}
 BENCHMARK(photons_through_ball);
+BENCHMARK_CAPTURE(photons_through_rough_ball, equation_8, Equation8{0.3}, Strategy::automatic);
+BENCHMARK_CAPTURE(photons_through_rough_ball, ggx, Ggx{0.1}, Strategy::automatic);
+BENCHMARK_CAPTURE(photons_through_rough_ball, equation_8_one_by_one, Equation8{0.3}, Strategy::tree);
+BENCHMARK_CAPTURE(photons_through_rough_ball, ggx_one_by_one, Ggx{0.1}, Strategy::tree);
 BENCHMARK(photons_through_ball_with_fresnel);
 BENCHMARK(photons_through_ball_one_by_one);
 BENCHMARK(photons_through_dispersive_ball)->Arg(4)->Arg(32)->Arg(140);

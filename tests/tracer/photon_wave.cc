@@ -103,6 +103,34 @@ TEST(PhotonWave, SplitsBandsAsTheGeneralWayDoes) {
   expect_the_same_light(builder.scene);
 }
 
+/// Rough glass that mirrors, tints and scatters, and a rough mirror: by equation 8 and by facets, by Fresnel and not.
+TEST(PhotonWave, ScattersAtRoughFacesAsTheGeneralWayDoes) {
+  for (const Roughness& roughness : {Roughness{Equation8{0.3}}, Roughness{Ggx{0.1}}, Roughness{Ggx{0.6}}}) {
+    for (const bool fresnel : {false, true}) {
+      SceneBuilder builder = floor_and_sun();
+      Material frosted = glass(1.5, {0.8, 0.7, 0.6}, fresnel);
+      frosted.reflection = {0.1, 0.1, 0.2};
+      frosted.diffuse = Rgb{0.1, 0.1, 0.1};
+      frosted.roughness = roughness;
+      builder.add("ball", SphereShape{{0, 2, 0}, 1}, builder.add(frosted));
+      builder.add("prism", PrismShape{{{1, 1}, {2, 1}, {1.5, 2}}, 1, {}}, 1);
+      Material brushed = diffuse(0.2);
+      brushed.reflection = {0.7, 0.6, 0.5};
+      brushed.roughness = roughness;
+      brushed.fresnel = fresnel;
+      brushed.ior_by_band = {1.4};
+      brushed.ior_minus_one_by_band = {0.4};
+      builder.add("mirror", RectangleShape{{0, 1.2, 2}, {1, 0, 0}, {0, 1, 0.3}}, builder.add(brushed));
+      ASSERT_TRUE(PhotonWave::suits(builder.scene));
+      for (const bool literal : {false, true}) {
+        builder.scene.paper.rough_photons_literal = literal;
+        SCOPED_TRACE(std::to_string(roughness.index()) + (fresnel ? " by Fresnel" : "") + (literal ? " literal" : ""));
+        expect_the_same_light(builder.scene);
+      }
+    }
+  }
+}
+
 /// A ball of glass with so many bands, which differ in nothing but their index.
 Scene ball_of_bands(int count) {
   SceneBuilder builder = floor_and_sun();

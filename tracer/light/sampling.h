@@ -6,27 +6,9 @@
 #include <cmath>
 
 #include "base/frame.h"
+#include "base/sine_cosine.h"
 
 namespace vitrail {
-
-struct SineCosine {
-  double sine, cosine;
-};
-
-/// For |x| <= pi/4, by their series to below the rounding of a double: the same bits on every machine's library.
-inline SineCosine sine_cosine(double x) {
-  const double y = x * x;
-  double sine = -1.0 / 1307674368000;  // 1 / 15!
-  for (const double c : {1.0 / 6227020800, -1.0 / 39916800, 1.0 / 362880, -1.0 / 5040, 1.0 / 120, -1.0 / 6, 1.0}) {
-    sine = sine * y + c;
-  }
-  double cosine = 1.0 / 20922789888000;  // 1 / 16!
-  for (const double c :
-       {-1.0 / 87178291200, 1.0 / 479001600, -1.0 / 3628800, 1.0 / 40320, -1.0 / 720, 1.0 / 24, -0.5, 1.0}) {
-    cosine = cosine * y + c;
-  }
-  return {sine * x, cosine};
-}
 
 /// A sample of two dimensions in both its shapes: in the unit square, and mapped from there onto the unit disc with
 /// equal areas, squares to rings [Shirley and Chiu 1997].

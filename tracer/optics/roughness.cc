@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/frame.h"
+#include "base/sine_cosine.h"
 
 namespace vitrail {
 
@@ -12,8 +13,8 @@ Vec3 deflect(Vec3 direction, double lambda, Vec3 facing, const std::array<double
 
   // Take a point on the sphere and keep the part of it across the direction.
   const double height = 1 - 2 * u[1], radius = std::sqrt(std::max(0.0, 1 - height * height));
-  const double angle = 2 * M_PI * u[2];
-  const Vec3 mu{radius * std::cos(angle), radius * std::sin(angle), height};
+  const auto [sine, cosine] = sine_cosine_of_turn(u[2]);
+  const Vec3 mu{radius * cosine, radius * sine, height};
   const Vec3 rho = mu - direction * dot(mu, direction);
   const double gamma = u[0] * lambda / 2;
   const Vec3 bent = normalise(direction * (1 - gamma) + rho * gamma);
@@ -41,8 +42,9 @@ Vec3 ggx_normal(Vec3 toward_viewer, Vec3 normal, double alpha, double u, double 
   const Vec3 flat = cross({0, 0, 1}, view);
   const Vec3 sideways = length_squared(flat) > 0 ? normalise(flat) : across.u;
   const Vec3 upwards = cross(view, sideways);
-  const double r = std::sqrt(u), a = r * std::cos(2 * M_PI * v), lean = 0.5 * (1 + view.z);
-  const double b = (1 - lean) * std::sqrt(std::max(0.0, 1 - a * a)) + lean * r * std::sin(2 * M_PI * v);
+  const auto [sine, cosine] = sine_cosine_of_turn(v);
+  const double r = std::sqrt(u), a = r * cosine, lean = 0.5 * (1 + view.z);
+  const double b = (1 - lean) * std::sqrt(std::max(0.0, 1 - a * a)) + lean * r * sine;
   const Vec3 chosen = sideways * a + upwards * b + view * std::sqrt(std::max(0.0, 1 - a * a - b * b));
 
   // Undo the stretching.

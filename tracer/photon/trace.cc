@@ -93,12 +93,13 @@ PhotonBlock trace_photons(const PhotonPass& pass, const Chart& chart, Stream str
   const StartMedia media(pass);
   if (strategy == Strategy::automatic && PhotonWave::suits(pass.scene)) {
     PhotonWave wave(pass, chart.target, lots, block);
-    emit_block(chart, stream, first, count, [&](const EmissionColumns& columns, std::uint32_t) {
+    emit_block(chart, stream, first, count, [&](const EmissionColumns& columns, std::uint32_t index) {
       for (std::size_t i = 0; i < columns.count; ++i) {
         const Rgb power = power_of(columns, i);
         if (is_black(power)) continue;
         const Ray ray = ray_of(columns, i);
-        media.is_outside(ray.origin) ? wave.add(ray, power) : wave.add(ray, media.at(ray.origin), power);
+        const auto own = index + static_cast<std::uint32_t>(i);
+        media.is_outside(ray.origin) ? wave.add(ray, power, own) : wave.add(ray, media.at(ray.origin), power, own);
       }
       if (wave.size() >= kAtOnce) wave.finish();
     });

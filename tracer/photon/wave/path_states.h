@@ -32,6 +32,7 @@ struct HitId {
 struct DiscreteState {
   std::int32_t departed_face = 0;
   std::int32_t medium = kNoObject;  // the one solid it is in
+  std::uint32_t index = 0;          // of the photon in its chart, for random choices at faces
   std::int16_t band = kNoBand;
   std::int16_t reflections = 0, transmissions = 0;
 

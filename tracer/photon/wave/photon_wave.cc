@@ -8,7 +8,12 @@
 namespace vitrail {
 namespace {
 
-bool is_smooth(const Material& material) { return !is_rough(material.roughness); }
+// What the wave leaves to the tree: facets under the letter of the paper, where total reflection drops light.
+bool drops_light_at_facets(const Scene& scene) {
+  const auto is_ggx = [](const Material& material) { return std::holds_alternative<Ggx>(material.roughness); };
+  return scene.plan.roughness && scene.paper.tir_drop &&
+         std::any_of(scene.materials.begin(), scene.materials.end(), is_ggx);
+}
 
 bool is_sheet(const Shape& shape) {
   return std::holds_alternative<RectangleShape>(shape) || std::holds_alternative<DiscShape>(shape);
@@ -17,8 +22,7 @@ bool is_sheet(const Shape& shape) {
 }  // namespace
 
 bool PhotonWave::suits(const Scene& scene) {
-  const bool smooth = std::all_of(scene.materials.begin(), scene.materials.end(), is_smooth);
-  return (smooth || !scene.plan.roughness) && !scene.paper.refraction_literal && SmallSceneIntersector::suits(scene);
+  return !drops_light_at_facets(scene) && !scene.paper.refraction_literal && SmallSceneIntersector::suits(scene);
 }
 
 PhotonWave::PhotonWave(const PhotonPass& pass, std::uint32_t target, Stream stream, PhotonBlock& block)
@@ -32,7 +36,10 @@ PhotonWave::PhotonWave(const PhotonPass& pass, std::uint32_t target, Stream stre
       met_(4 * pass.scene.objects.size()),
       rays_(std::make_unique<RayChunk>()),
       group_(std::make_unique<Group>()),
-      lanes_(std::make_unique<DielectricLanes>()) {
+      lanes_(std::make_unique<DielectricLanes>()),
+      lots_(stream),
+      samples_(std::make_unique<RoughSamples>()),
+      facets_(std::make_unique<FacetLanes>()) {
   for (std::uint32_t i = 0; i < scene_.objects.size(); ++i) {
     const Material& material = scene_.material_of(i);
     faces_.push_back({.material = &material,
@@ -43,22 +50,23 @@ PhotonWave::PhotonWave(const PhotonPass& pass, std::uint32_t target, Stream stre
                       .stores = can_be_diffuse(material),
                       .disperses = is_dispersive(scene_, i),
                       .absorbs = !is_black(material.absorption_per_m),
+                      .rough = scene_.plan.roughness && is_rough(material.roughness),
                       .priority = scene_.objects[i].priority});
     anything_absorbs_ = anything_absorbs_ || faces_.back().absorbs;
   }
 }
 
-void PhotonWave::add(const Ray& ray, Rgb flux) {
-  now_.add(ray.origin, ray.direction, flux, kLeastPhotonShare * largest_channel(flux), {}, {});
+void PhotonWave::add(const Ray& ray, Rgb flux, std::uint32_t index) {
+  now_.add(ray.origin, ray.direction, flux, kLeastPhotonShare * largest_channel(flux), {}, {.index = index});
 }
 
-void PhotonWave::add(const Ray& ray, const MediumSet& media, Rgb flux) {
+void PhotonWave::add(const Ray& ray, const MediumSet& media, Rgb flux, std::uint32_t index) {
   const double least = kLeastPhotonShare * largest_channel(flux);
   if (media.size() > 1) {
-    tree_.follow({.path = {.ray = ray, .media = media, .weight = flux}, .least = least});
+    tree_.follow({.path = {.ray = ray, .media = media, .weight = flux}, .least = least, .index = index});
     return;
   }
-  DiscreteState state;
+  DiscreteState state{.index = index};
   if (media.size() == 1) state.medium = static_cast<std::int32_t>(media[0]);
   now_.add(ray.origin, ray.direction, flux, least, {}, state);
 }
@@ -127,7 +135,7 @@ void PhotonWave::escape(std::size_t lane) {
 void PhotonWave::follow_generally(std::size_t lane) {
   const DiscreteState& state = now_.state(lane);
   const HitId departed = HitId::of_lane(now_.departed()[lane]);
-  LightVertex photon{.least = now_.least(lane)};
+  LightVertex photon{.least = now_.least(lane), .index = state.index};
   PathState& path = photon.path;
   path.ray = now_.ray(lane);
   if (departed.object != kNoObject) {

@@ -13,6 +13,7 @@
 
 #include "photon/photon_tree.h"
 #include "photon/wave/dielectric_lanes.h"
+#include "photon/wave/rough_lanes.h"
 #include "photon/wave/small_scene_intersector.h"
 
 namespace vitrail {
@@ -23,9 +24,9 @@ class PhotonWave {
 
   PhotonWave(const PhotonPass& pass, std::uint32_t target, Stream stream, PhotonBlock& block);
 
-  /// Take a photon as it leaves the light, in air or inside `media`.
-  void add(const Ray& ray, Rgb flux);
-  void add(const Ray& ray, const MediumSet& media, Rgb flux);
+  /// Take a photon as it leaves the light, in air or inside `media`; `index` of the photon in its chart.
+  void add(const Ray& ray, Rgb flux, std::uint32_t index);
+  void add(const Ray& ray, const MediumSet& media, Rgb flux, std::uint32_t index);
   std::size_t size() const { return now_.size(); }
   /// Follow all photons taken, and all their branches, to their ends.
   void finish();
@@ -35,7 +36,8 @@ class PhotonWave {
   struct Face {
     const Material* material = nullptr;
     Rgb pool;  // r + t
-    bool transmits = false, mirrors = false, is_sheet = false, stores = false, disperses = false, absorbs = false;
+    bool transmits = false, mirrors = false, is_sheet = false, stores = false, disperses = false, absorbs = false,
+         rough = false;
     int priority = 0;
   };
   // Photons at the same side of the same object, side by side: all of them have a band, or none.
@@ -53,7 +55,16 @@ class PhotonWave {
     Vec3 normal_of(std::size_t i) const { return {at.normal[0][i], at.normal[1][i], at.normal[2][i]}; }
   };
 
-  // Those of a group that go on along one lobe.
+  // What a group's face mirrors, or what it lets through. Behind a rough face either may end on either side.
+  struct Part {
+    std::array<DielectricLanes::Column, 3>* direction = nullptr;
+    std::array<DielectricLanes::Column, 3> flux;
+    std::array<Lobe, RayChunk::kCapacity> lobe;
+
+    Rgb flux_of(std::size_t i) const { return {flux[0][i], flux[1][i], flux[2][i]}; }
+  };
+
+  // Those of a part that go on.
   struct Survivors {
     std::array<std::uint16_t, RayChunk::kCapacity> lane;  // in the group
     std::size_t count = 0;
@@ -68,12 +79,19 @@ class PhotonWave {
   void stop(const Group& group);
   void divide_by_band(Group& group);
   void divide(const Group& group);
+  void divide_at_plane(const Group& group);
   void find_lobes(const Group& group);
+  void draw(const Group& group);
+  void deflect_part(const Group& group, Part& part, double side);
+  void divide_at_facets(const Group& group);
+  void share_at_facets(const Group& group);
+  void let_leave(const Group& group, Part& part, bool bent);
+  bool is_total(const Group& group, std::size_t i) const;
+  bool follow_facets(const Group& group, Part& part, bool bent, std::size_t i);
   void store(const Group& group, std::size_t i);
   void end(const Group& group);
-  void choose_survivors(const Group& group, Lobe lobe, Survivors& survivors);
-  Lobe lobe_of(const Group& group, Lobe lobe, std::size_t i) const;
-  void send(const Group& group, Lobe lobe);
+  void choose_survivors(const Group& group, const Part& part, Survivors& survivors);
+  void send(const Group& group, const Part& part);
 
   const PhotonPass& pass_;
   const Scene& scene_;
@@ -90,7 +108,11 @@ class PhotonWave {
   std::unique_ptr<RayChunk> rays_;
   std::unique_ptr<Group> group_;
   std::unique_ptr<DielectricLanes> lanes_;
-  std::array<DielectricLanes::Column, 3> mirrored_, refracted_, left_;  // flux that goes each way, by channel
+  Part mirrored_, refracted_;
+  Stream lots_;  // for rough faces
+  std::unique_ptr<RoughSamples> samples_;
+  std::unique_ptr<FacetLanes> facets_;
+  std::array<Stream, RayChunk::kCapacity> behind_, behind_facet_;  // more random numbers for each ray
 };
 
 }  // namespace vitrail

@@ -109,14 +109,26 @@ void PhotonWave::find_lobes(const Group& group) {
   if (material.fresnel) find_fresnel_shares(lanes);
 }
 
-// Divide the light as `interact` does: a fixed share each way, or the pool by Fresnel; all of the pool where the
-// reflection is total.
+// Divide the light, send on what there is, and end the rest here.
 void PhotonWave::divide(const Group& group) {
   block_.divisions += group.count;
+  const Face& face = face_of(group);
   find_lobes(group);
+  if (face.rough) draw(group);
+  if (face.rough && std::holds_alternative<Ggx>(face.material->roughness)) {
+    divide_at_facets(group);
+  } else {
+    divide_at_plane(group);
+  }
+  end(group);
+}
+
+// Divide as `interact` does: a fixed share each way, or the pool by Fresnel; all of the pool where the reflection is
+// total.
+void PhotonWave::divide_at_plane(const Group& group) {
   const Face& face = face_of(group);
   const Material& material = *face.material;
-  const DielectricLanes& lanes = *lanes_;
+  DielectricLanes& lanes = *lanes_;
   const bool glass = face.transmits, by_fresnel = material.fresnel;
   const bool drops = glass && scene_.paper.tir_drop, has_fixed_shares = !glass && !by_fresnel;
   const Rgb beyond = drops || has_fixed_shares ? material.reflection : face.pool;
@@ -128,21 +140,30 @@ void PhotonWave::divide(const Group& group) {
       const bool total = lanes.radicand[i] < 0;
       const double mirrored = total ? beyond_c : by_fresnel ? pool * lanes.share_R[i] : r;
       const double refracted = total || !glass ? 0.0 : by_fresnel ? pool * lanes.share_T[i] : t;
-      mirrored_[c][i] = flux[i] * mirrored;
-      refracted_[c][i] = flux[i] * refracted;
-      left_[c][i] = flux[i] - mirrored_[c][i] - refracted_[c][i];
+      mirrored_.flux[c][i] = flux[i] * mirrored;
+      refracted_.flux[c][i] = flux[i] * refracted;
     }
   }
 
-  // Send on what there is.
+  // What a dielectric interface reflects is total internal reflection where nothing is refracted.
   bool any_total = false;
-  for (std::size_t i = 0; i < group.count; ++i) any_total = any_total | (lanes.radicand[i] < 0);
-  if (face.mirrors || by_fresnel || any_total) {
-    reflect(*lanes_);
-    send(group, Lobe::reflection);
+  for (std::size_t i = 0; i < group.count; ++i) {
+    const bool total = lanes.radicand[i] < 0;
+    any_total = any_total | total;
+    mirrored_.lobe[i] = total && glass && !drops ? Lobe::total_internal_reflection : Lobe::reflection;
+    refracted_.lobe[i] = Lobe::transmission;
   }
-  if (glass) send(group, Lobe::transmission);
-  end(group);
+  if (face.mirrors || by_fresnel || any_total) {
+    reflect(lanes);
+    mirrored_.direction = &lanes.mirrored;
+    if (face.rough) deflect_part(group, mirrored_, 1);
+    send(group, mirrored_);
+  }
+  if (glass) {
+    refracted_.direction = &lanes.refracted;
+    if (face.rough) deflect_part(group, refracted_, -1);
+    send(group, refracted_);
+  }
 }
 
 void PhotonWave::store(const Group& group, std::size_t i) {
@@ -154,7 +175,7 @@ void PhotonWave::end(const Group& group) {
   const bool stores = face_of(group).stores;
   Rgb stored, absorbed;
   for (std::size_t i = 0; i < group.count; ++i) {
-    const Rgb left{left_[0][i], left_[1][i], left_[2][i]};
+    const Rgb left = group.flux_of(i) - mirrored_.flux_of(i) - refracted_.flux_of(i);
     if (stores && now_.state(group.lane[i]).has_bounced() && !is_black(group.flux_of(i))) {
       store(group, i);
       stored += left;
@@ -167,14 +188,13 @@ void PhotonWave::end(const Group& group) {
 }
 
 // Choose the branches with enough flux and depth left; the others are truncated.
-void PhotonWave::choose_survivors(const Group& group, Lobe lobe, Survivors& survivors) {
-  const auto& flux = lobe == Lobe::transmission ? refracted_ : mirrored_;
+void PhotonWave::choose_survivors(const Group& group, const Part& part, Survivors& survivors) {
   const double* const least = std::as_const(now_).least_column();
   survivors.count = 0;
   for (std::size_t i = 0; i < group.count; ++i) {
-    const Rgb share{flux[0][i], flux[1][i], flux[2][i]};
+    const Rgb share = part.flux_of(i);
     const double largest = largest_channel(share);
-    const Depth depth = now_.state(group.lane[i]).depth().after(lobe_of(group, lobe, i));
+    const Depth depth = now_.state(group.lane[i]).depth().after(part.lobe[i]);
     const bool goes_on = largest >= least[group.lane[i]] && scene_.within_depth(depth);
     survivors.lane[survivors.count] = static_cast<std::uint16_t>(i);
     survivors.count += goes_on && largest > 0;
@@ -182,41 +202,32 @@ void PhotonWave::choose_survivors(const Group& group, Lobe lobe, Survivors& surv
   }
 }
 
-// The lobe of one lane: what a dielectric interface reflects is total internal reflection where nothing is refracted.
-Lobe PhotonWave::lobe_of(const Group& group, Lobe lobe, std::size_t i) const {
-  const bool may_be_total = lobe == Lobe::reflection && face_of(group).transmits && !scene_.paper.tir_drop;
-  return may_be_total && lanes_->radicand[i] < 0 ? Lobe::total_internal_reflection : lobe;
-}
-
-// Let the branches of one lobe join the next generation, column by column.
-void PhotonWave::send(const Group& group, Lobe lobe) {
-  const bool passes = lobe == Lobe::transmission;
-  const auto& direction = passes ? lanes_->refracted : lanes_->mirrored;
-  const auto& flux = passes ? refracted_ : mirrored_;
+// Let the branches of one part join the next generation, column by column.
+void PhotonWave::send(const Group& group, const Part& part) {
   Survivors kept;
-  choose_survivors(group, lobe, kept);
+  choose_survivors(group, part, kept);
   const std::size_t first = next_.add_empty(kept.count);
   for (int a = 0; a < 3; ++a) {
     double *const origin_to = next_.origin(a) + first, *const direction_to = next_.direction(a) + first;
     double* const flux_to = next_.flux_column(a) + first;
     for (std::size_t k = 0; k < kept.count; ++k) {
       origin_to[k] = group.at.point[a][kept.lane[k]];
-      direction_to[k] = direction[a][kept.lane[k]];
-      flux_to[k] = flux[a][kept.lane[k]];
+      direction_to[k] = (*part.direction)[a][kept.lane[k]];
+      flux_to[k] = part.flux[a][kept.lane[k]];
     }
   }
-  const HitId departed{group.met.object, group.met.entering == passes};
   const std::int32_t medium = group.met.entering ? group.met.object : kNoObject;
   const double* const least = std::as_const(now_).least_column();
   for (std::size_t k = 0; k < kept.count; ++k) {
     const std::size_t i = kept.lane[k], from = group.lane[i];
+    const bool passes = part.lobe[i] == Lobe::transmission;
     DiscreteState state = now_.state(from);
-    state.set_depth(state.depth().after(lobe_of(group, lobe, i)));
+    state.set_depth(state.depth().after(part.lobe[i]));
     if (passes) state.medium = medium;
     state.departed_face = group.face[i];
     state.band = group.band[i];
     next_.least_column()[first + k] = least[from];
-    next_.departed()[first + k] = departed.lane();
+    next_.departed()[first + k] = HitId{group.met.object, group.met.entering == passes}.lane();
     next_.states()[first + k] = state;
   }
 }
