@@ -8,10 +8,10 @@ from vitrail.metrics.caustic import (
     caustic_area,
     caustic_centroid,
     caustic_flux,
-    caustic_radii,
     caustic_rings,
     profile_correlation,
 )
+from vitrail.metrics.caustic_radii import caustic_radii
 from vitrail.metrics.measurement import Context, MetricError
 
 CONTEXT = Context()

@@ -9,7 +9,8 @@ from scipy import ndimage, stats
 from tests.metrics.synthetic import noisy, patch_of, spot, value_of
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.metrics.by_phenomenon import BY_PHENOMENON, measure, measure_with_intervals
-from vitrail.metrics.caustic import caustic_centroid, caustic_flux, caustic_radii, profile_correlation
+from vitrail.metrics.caustic import caustic_centroid, caustic_flux, profile_correlation
+from vitrail.metrics.caustic_radii import caustic_radii
 from vitrail.metrics.measurement import Context, MetricError, StudentInterval
 from vitrail.metrics.noise import METHOD, noise_floor, with_interval
 from vitrail.metrics.noise_model import learn_noise
@@ -97,12 +98,12 @@ def test_the_law_of_the_noise_is_learnt_and_redrawn():
     model = learn_noise(rendered, 0.0)
     # A window of 3 cells has 113 cells of effect, so a variance is good to 13 %; the median over the patch to a few.
     assert np.median(model.deviation / (0.1 * np.sqrt(base.values))) == pytest.approx(1.0, abs=0.05)
-    again = np.stack([model.draw((i,)) for i in range(40)])
+    again = np.stack(list(model.draws(40, 0)))
     assert again.std() == pytest.approx(model.deviation.mean(), rel=0.1)
     red, green, blue = (again[..., c].ravel() for c in range(3))
     assert np.corrcoef(red, green)[0, 1] == pytest.approx(1.0, abs=0.02)
     assert np.corrcoef(red, blue)[0, 1] == pytest.approx(0.0, abs=0.05)
-    np.testing.assert_array_equal(model.draw((1, 0)), model.draw((1, 0)))
+    np.testing.assert_array_equal(model.pair((1, 0)), model.pair((1, 0)))
 
 
 def test_the_law_follows_a_caustic_narrower_than_its_window():
@@ -124,7 +125,7 @@ def test_correlated_noise_is_redrawn_correlated():
     truth = np.std(
         [ndimage.convolve(draw.normal(size=(96, 96)), disc / disc.sum(), mode="wrap").mean() for _ in range(200)]
     )
-    found = np.std([model.draw((i,))[..., 0].mean() for i in range(200)])
+    found = np.std([noise[..., 0].mean() for noise in model.draws(200, 0)])
     # The noise holds some 300 independent discs: its power at long lengths is known to a fifth.
     assert found == pytest.approx(truth / np.sqrt(2), rel=0.3)
 

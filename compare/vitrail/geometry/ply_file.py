@@ -11,11 +11,14 @@ import io
 import re
 from collections.abc import Mapping
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
-from plyfile import PlyData, PlyElement, PlyListProperty, PlyParseError
 
 from vitrail.geometry.raw_mesh import RawMesh
+
+if TYPE_CHECKING:
+    from plyfile import PlyData, PlyElement
 
 _INDICES = ("vertex_indices", "vertex_index")
 Columns = Mapping[str, np.ndarray]
@@ -24,6 +27,9 @@ Columns = Mapping[str, np.ndarray]
 
 def read_ply(path: Path, raw: bytes) -> RawMesh:
     """What a PLY file holds; ``raw`` are its bytes. Raises ValueError with what is wrong and where."""
+    # A scene without a mesh need not load the reader of meshes.
+    from plyfile import PlyData, PlyParseError
+
     start = raw.find(b"\n", raw.find(b"end_header")) + 1
     head, body = raw[:start], raw[start:]
     try:
@@ -46,6 +52,8 @@ def _columns(data: PlyData) -> dict[str, Columns]:
 
 def _mapped(path: Path, head: bytes) -> PlyData:
     """A binary file, mapped into memory where all its faces have three corners, else row by row."""
+    from plyfile import PlyData, PlyParseError
+
     found = re.search(rb"property\s+list\s+\S+\s+\S+\s+(vertex_ind(?:ices|ex))\b", head)
     if found:
         try:
@@ -57,6 +65,8 @@ def _mapped(path: Path, head: bytes) -> PlyData:
 
 def _sweep(head: bytes, body: bytes) -> dict[str, Columns] | None:
     """All numbers of an ASCII file at once; None unless they are exactly those of a file of triangles alone."""
+    from plyfile import PlyListProperty
+
     elements, counts = _layout(head)
     widths = [sum(4 if isinstance(each, PlyListProperty) else 1 for each in part.properties) for part in elements]
     try:
@@ -85,6 +95,8 @@ def _sweep(head: bytes, body: bytes) -> dict[str, Columns] | None:
 
 def _layout(head: bytes) -> tuple[tuple[PlyElement, ...], list[int]]:
     """The elements with their properties, and how many rows each has, from the header alone."""
+    from plyfile import PlyData
+
     element = re.compile(rb"^(element\s+\S+\s+)(\d+)", re.MULTILINE)
     without_rows = element.sub(rb"\g<1>0", head)
     counts = [int(count) for _, count in element.findall(head)]

@@ -17,7 +17,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
-from scipy import stats
+from scipy.special import stdtrit
 
 from vitrail.images.exr import ImageLayers
 from vitrail.images.patch import PatchGrid, PatchSamples, make_grid
@@ -90,7 +90,7 @@ class Scatter:
         if self.count < FEWEST or key not in self.squares:
             return 0.0
         error = math.sqrt(self.squares[key]) / self.count
-        return float(stats.t.ppf(0.5 + LEVEL / 2, self.count)) * error
+        return float(stdtrit(self.count, 0.5 + LEVEL / 2)) * error
 
 
 def key_of(observation: str, metric: str) -> str:

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from dataclasses import replace
+from functools import partial
 
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.images.patch import PatchSamples
@@ -12,23 +14,21 @@ from vitrail.metrics.caustic import (
     caustic_area,
     caustic_centroid,
     caustic_flux,
-    caustic_radii,
     caustic_rings,
     profile_correlation,
 )
+from vitrail.metrics.caustic_radii import caustic_radii, caustic_radii_near
 from vitrail.metrics.diffusion import evenness
 from vitrail.metrics.dispersion import colour_order, spectrum_places, spectrum_spread
-from vitrail.metrics.displacement import displacement, edge_place
+from vitrail.metrics.displacement import displacement, displacement_near, edge_place
 from vitrail.metrics.energy import furnace_deviation
 from vitrail.metrics.indirect import indirect_light
-from vitrail.metrics.measurement import Context, Measurement, MetricError
+from vitrail.metrics.measurement import Context, Measurement, MetricError, PatchMetric
 from vitrail.metrics.noise import with_interval
 from vitrail.metrics.radiance import mean_radiance
 from vitrail.metrics.roughness import blur, contrast
 from vitrail.metrics.shadow import penumbra
 from vitrail.metrics.transmission import chromaticity_shift, colour_difference, transmittance
-
-PatchMetric = Callable[[PatchSamples, PatchSamples | None, Context], list[Measurement]]
 
 PICTURE: tuple[PatchMetric, ...] = (mean_radiance, displacement, edge_place, furnace_deviation)
 """What is seen through or in a face: how bright, and how far moved."""
@@ -53,6 +53,13 @@ BY_PHENOMENON: Mapping[Phenomenon, tuple[PatchMetric, ...]] = {
     Phenomenon.SHADOW: (mean_radiance, penumbra),
     Phenomenon.INDIRECT_LIGHT: (mean_radiance, indirect_light),
 }
+
+
+NEAR: Mapping[PatchMetric, Callable[[PatchSamples, PatchSamples | None, Context], PatchMetric]] = {
+    caustic_radii: caustic_radii_near,
+    displacement: displacement_near,
+}
+"""Metrics that are slow, and what gives their numbers faster for images that differ little from these."""
 
 
 def measure(
@@ -85,7 +92,37 @@ def measure_with_intervals(
 ) -> list[Measurement]:
     """As ``measure``, each number with its interval at ``level`` and, for comparisons, its A/A floor."""
 
-    def everything(ours: PatchSamples, theirs: PatchSamples | None, known: Context) -> list[Measurement]:
-        return measure(phenomenon, ours, theirs, known)
+    return with_interval(
+        partial(measure, phenomenon),
+        candidate,
+        reference,
+        context,
+        near=_nearby(phenomenon, candidate, reference, context),
+        level=level,
+    )
 
-    return with_interval(everything, candidate, reference, context, level=level)
+
+def _nearby(
+    phenomenon: Phenomenon, candidate: PatchSamples, reference: PatchSamples | None, context: Context
+) -> PatchMetric:
+    """``measure`` for images that differ from these by their noise."""
+    metrics = [_near(metric, candidate, reference, context) for metric in BY_PHENOMENON[phenomenon]]
+
+    def again(ours: PatchSamples, theirs: PatchSamples | None, known: Context) -> list[Measurement]:
+        found: list[Measurement] = []
+        for metric in metrics:
+            with suppress(MetricError):
+                found += metric(ours, theirs, known)
+        return found
+
+    return again
+
+
+def _near(
+    metric: PatchMetric, candidate: PatchSamples, reference: PatchSamples | None, context: Context
+) -> PatchMetric:
+    """The faster form of a metric, or itself; what cannot be measured here keeps its own words."""
+    try:
+        return NEAR[metric](candidate, reference, context) if metric in NEAR else metric
+    except MetricError:
+        return metric

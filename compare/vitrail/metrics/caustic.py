@@ -8,7 +8,7 @@ from __future__ import annotations
 import numpy as np
 
 from vitrail.images.patch import PatchSamples
-from vitrail.metrics.encircled import encircled, ring_weights, room_about
+from vitrail.metrics.encircled import ring_weights
 from vitrail.metrics.measurement import Context, Measurement, MetricError, PatchAxis, per_channel
 from vitrail.metrics.profile import PhenomenonLight, light_of, profile
 from vitrail.metrics.radiance import channel_ratios
@@ -56,29 +56,6 @@ def caustic_centroid(candidate: PatchSamples, reference: PatchSamples | None, co
     ]
 
 
-def caustic_radii(candidate: PatchSamples, reference: PatchSamples | None, context: Context) -> list[Measurement]:
-    """Radii that hold 50 % and 90 % of the flux on the largest circle about the centre: ``r50``, ``r90`` in metres,
-    or ``r50_ratio``, ``r90_ratio`` with ideal 1.
-
-    The centre is ``context.centre_m``, or else the centroid of the reference, for both images the same.
-    """
-    light, other = light_of(("caustic",), candidate, reference, context)
-    centre = _centre(light if other is None else other, candidate if reference is None else reference, context)
-    outer = min(room_about(candidate, centre), context.outer_radius_m or np.inf)
-    settings = {**light.settings, "centre_m": centre, "outer_radius_m": outer}
-    ours = encircled(light.values.mean(axis=-1), candidate, centre, outer)
-    found = []
-    for name, share in (("r50", 0.5), ("r90", 0.9)):
-        radius = ours.radius_of(share)
-        if reference is None or other is None:
-            found.append(Measurement(name, radius, "m", None, settings, caveats=light.caveats))
-            continue
-        truth = encircled(other.values.mean(axis=-1), reference, centre, outer).radius_of(share)
-        parts = {"candidate": radius, "reference": truth}
-        found.append(Measurement(f"{name}_ratio", radius / truth, "1", 1.0, settings, parts, light.caveats))
-    return found
-
-
 def caustic_rings(candidate: PatchSamples, reference: PatchSamples | None, context: Context) -> list[Measurement]:
     """Mean radiance (mean of the channels) between the radii ``context.annulus_edges_m`` about the centre.
 
@@ -87,7 +64,7 @@ def caustic_rings(candidate: PatchSamples, reference: PatchSamples | None, conte
     if len(context.annulus_edges_m) < 2:
         return []
     light, other = light_of(("caustic",), candidate, reference, context)
-    centre = _centre(light if other is None else other, candidate if reference is None else reference, context)
+    centre = centre_of(light if other is None else other, candidate if reference is None else reference, context)
     edges = tuple(context.annulus_edges_m)
     settings = {**light.settings, "centre_m": centre, "edges_m": edges}
     ours = _ring_means(light, candidate, centre, edges)
@@ -191,7 +168,8 @@ def _counted(light: PhenomenonLight, samples: PatchSamples, context: Context) ->
     return seen * (area.reshape(samples.coverage.shape) / samples.cell_area_m2)[..., None]
 
 
-def _centre(light: PhenomenonLight, samples: PatchSamples, context: Context) -> tuple[float, float]:
+def centre_of(light: PhenomenonLight, samples: PatchSamples, context: Context) -> tuple[float, float]:
+    """The centre that the context knows, else the centroid."""
     return context.centre_m if context.centre_m is not None else centroid(light, samples, context)
 
 

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
 from scipy.ndimage import gaussian_filter1d
 from scipy.optimize import nnls
-from scipy.signal import find_peaks
 
+from vitrail.base.colour import Triplet
 from vitrail.images.patch import PatchSamples
 from vitrail.metrics.measurement import CHANNELS, Context, Measurement, MetricError
 from vitrail.metrics.profile import cell_m, degrees_at, light_of, profile
@@ -25,17 +26,22 @@ PEAK_PROMINENCE = 0.1
 
 @dataclass(frozen=True)
 class Spectrum:
-    """Profiles along the spread: positions (n,), radiance (n, 3), and the radiance of each band (n,)."""
+    """Profiles along the spread: positions (n,), radiance (n, 3); ``colours`` are those of the bands, by name."""
 
     x_m: np.ndarray
     channels: np.ndarray
-    bands: dict[str, np.ndarray]
+    colours: Mapping[str, Triplet]
     cell_m: float
 
     def centroids(self) -> dict[str, float]:
-        """Metres from the patch centre, by channel and as ``band_<name>``."""
-        lines = dict(zip(CHANNELS, self.channels.T, strict=True))
-        lines |= {f"band_{name}": line for name, line in self.bands.items()}
+        """Metres from the patch centre, by channel."""
+        return self._centroids(dict(zip(CHANNELS, self.channels.T, strict=True)))
+
+    def band_centroids(self) -> dict[str, float]:
+        """Metres from the patch centre, as ``band_<name>``."""
+        return self._centroids({f"band_{name}": line for name, line in self._unmixed().items()})
+
+    def _centroids(self, lines: Mapping[str, np.ndarray]) -> dict[str, float]:
         total = self.channels.sum()
         if not total > 0:
             raise MetricError("no light of a spectrum on the patch; correct the patch, or look why it is dark")
@@ -44,6 +50,18 @@ class Spectrum:
             for name, line in lines.items()
             if line.sum() > LEAST_SHARE * total
         }
+
+    def _unmixed(self) -> dict[str, np.ndarray]:
+        """The radiance of each band at each position: the nearest non-negative mixture of band colours.
+
+        Exact where neighbouring bands do not overlap. Where they do, four colours in three channels have no one answer:
+        red over green, for one, is yellow.
+        """
+        if not self.colours:
+            return {}
+        colours = np.array(list(self.colours.values()), float).T
+        shares = np.array([nnls(colours, np.maximum(row, 0.0))[0] for row in self.channels])
+        return dict(zip(self.colours, shares.T, strict=True))
 
     def spread_m(self) -> float:
         """From the red centroid to the blue one, signed along the patch."""
@@ -61,6 +79,9 @@ class Spectrum:
 
     def peaks(self) -> int:
         """The number of separate maxima of the mean of the channels."""
+        # Load SciPy's signals where there are peaks to count: that takes as long as all else of this file.
+        from scipy.signal import find_peaks
+
         smooth = gaussian_filter1d(np.pad(self.channels.mean(axis=-1), 3), 1.0)
         return int(find_peaks(smooth, prominence=PEAK_PROMINENCE * smooth.max())[0].size)
 
@@ -72,7 +93,7 @@ def spectrum_places(candidate: PatchSamples, reference: PatchSamples | None, con
     ``place_shift.<name>`` in metres, ideal 0.
     """
     ours, theirs, rest = _spectra(candidate, reference, context)
-    places = ours.centroids()
+    places = ours.centroids() | ours.band_centroids()
     if theirs is None:
         found = [Measurement(f"place.{n}", x, "m", None, **rest) for n, x in places.items()]
         if context.throw_m is not None:
@@ -81,7 +102,7 @@ def spectrum_places(candidate: PatchSamples, reference: PatchSamples | None, con
                 Measurement(f"place_deg.{n}", degrees_at(x, throw), "deg", None, **rest) for n, x in places.items()
             ]
         return found
-    others = theirs.centroids()
+    others = theirs.centroids() | theirs.band_centroids()
     return [Measurement(f"place_shift.{n}", x - others[n], "m", 0.0, **rest) for n, x in places.items() if n in others]
 
 
@@ -143,16 +164,4 @@ def _spectra(
 
 def _spectrum(values: np.ndarray, samples: PatchSamples, context: Context) -> Spectrum:
     x, channels = profile(values, samples, context.along)
-    bands = _unmixed(channels, context) if context.bands else {}
-    return Spectrum(x, channels, bands, cell_m(samples, context.along))
-
-
-def _unmixed(channels: np.ndarray, context: Context) -> dict[str, np.ndarray]:
-    """The radiance of each band at each position: the non-negative mixture of band colours nearest to what is there.
-
-    Exact where neighbouring bands do not overlap. Where they do, four colours in three channels have no one answer: red
-    over green, for one, is yellow.
-    """
-    colours = np.array([context.bands[name] for name in context.bands], float).T
-    shares = np.array([nnls(colours, np.maximum(row, 0.0))[0] for row in channels])
-    return dict(zip(context.bands, shares.T, strict=True))
+    return Spectrum(x, channels, context.bands, cell_m(samples, context.along))

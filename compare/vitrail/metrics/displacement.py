@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
-from scipy.ndimage import gaussian_filter
+from scipy.ndimage import gaussian_filter, spline_filter
 from scipy.ndimage import shift as spline_shift
 from skimage.registration import phase_cross_correlation
 
 from vitrail.images.patch import PatchSamples
 from vitrail.metrics.edge import fit_edge
-from vitrail.metrics.measurement import Context, Measurement, MetricError, PatchAxis
+from vitrail.metrics.measurement import Context, Measurement, MetricError, PatchAxis, PatchMetric
 from vitrail.metrics.profile import cell_m, profile
 
 SMOOTHING_CELLS = 1.0
@@ -17,6 +19,21 @@ SMOOTHING_CELLS = 1.0
 
 STEPS = 30
 """Gauss-Newton steps at most; it settles in about six."""
+
+SETTLED_CELLS = 1e-6
+"""A step this small is the last: noise moves no picture by so little."""
+
+SLOPE_CELLS = 0.02
+"""Half the move over which the slope of a shifted spline is taken: its third derivative does not show yet."""
+
+LEAST_GAIN = 1e-9
+"""Below it the candidate has nothing of the reference's pattern."""
+
+LEAST_OVER_NOISE = 10.0
+"""Square slopes of pattern and noise over those of the noise: the fit is then linear in the noise to some percent."""
+
+AXES: tuple[tuple[PatchAxis, int], ...] = (("u", 1), ("v", 0))
+"""Directions on the patch with their place among rows and columns."""
 
 LEAST_TEXTURE = 1e-3
 """A direction with less than this share of the other's gradient has no pattern to register."""
@@ -30,24 +47,45 @@ def displacement(candidate: PatchSamples, reference: PatchSamples | None, contex
     """
     if reference is None:
         return []
-    ours, theirs = candidate.values.mean(axis=-1), reference.values.mean(axis=-1)
-    texture = np.array([np.mean(np.diff(theirs, axis=axis) ** 2) if theirs.shape[axis] > 4 else 0.0 for axis in (0, 1)])
-    if not texture.max() > (1e-6 * np.abs(theirs).max()) ** 2:
-        raise MetricError("the patch shows no pattern; put a checker where the patch looks")
-    if not np.ptp(ours) > 1e-6 * np.abs(ours).max():
-        raise MetricError("the candidate shows no pattern on the patch; there is nothing to lay on the reference's")
-    usable = texture > LEAST_TEXTURE * texture.max()
-    moved = register(gaussian_filter(ours, SMOOTHING_CELLS), gaussian_filter(theirs, SMOOTHING_CELLS), usable)
+    usable = _usable(candidate, reference)
+    moved = register(_smooth(candidate), _smooth(reference), usable).moved
     method = "least squares of a cubic-spline shift with gain and offset, started by phase correlation"
     settings = {"method": method, "smoothing_cells": SMOOTHING_CELLS}
     found = []
-    axes: tuple[tuple[PatchAxis, int], ...] = (("u", 1), ("v", 0))
-    for axis, index in axes:
+    for axis, index in AXES:
         if usable[index]:
             cell = cell_m(candidate, axis)
             parts = {"cells": float(moved[index]), "cell_m": cell}
             found.append(Measurement(f"displacement.{axis}", float(moved[index] * cell), "m", 0.0, settings, parts))
     return found
+
+
+def displacement_near(candidate: PatchSamples, reference: PatchSamples | None, context: Context) -> PatchMetric:
+    """``displacement`` of images that differ little from these: one registration, and how each cell moves its result.
+
+    The registration is a least-squares fit, so a change of either picture by n moves it by a weighted sum of n. Those
+    weights, carried back through the smoothing and the shift, make one product of every later registration. A direction
+    whose pattern does not stand out of the noise has no such weights; then it is ``displacement`` itself.
+    """
+    if reference is None:
+        return displacement
+    usable = _usable(candidate, reference)
+    if not all(_stands_out(image, index) for image in (candidate, reference) for _, index in AXES if usable[index]):
+        return displacement
+    found = register(_smooth(candidate), _smooth(reference), usable)
+    weights = {axis: _influence(found, index) for axis, index in AXES if usable[index]}
+
+    def again(ours: PatchSamples, theirs: PatchSamples | None, known: Context) -> list[Measurement]:
+        assert theirs is not None
+        change = [(new.values - old.values).mean(axis=-1) for new, old in ((ours, candidate), (theirs, reference))]
+        moves = {
+            axis: found.moved[index] + sum(float((w * n).sum()) for w, n in zip(weights[axis], change, strict=True))
+            for axis, index in AXES
+            if axis in weights
+        }
+        return [Measurement(f"displacement.{axis}", move * cell_m(ours, axis), "m") for axis, move in moves.items()]
+
+    return again
 
 
 def edge_place(candidate: PatchSamples, reference: PatchSamples | None, context: Context) -> list[Measurement]:
@@ -66,8 +104,21 @@ def edge_place(candidate: PatchSamples, reference: PatchSamples | None, context:
     return [Measurement(f"edge_place.{context.along}", edge.position_m, "m", None, parts=parts)]
 
 
-def register(ours: np.ndarray, theirs: np.ndarray, usable: np.ndarray) -> np.ndarray:
-    """(rows, columns) by which ``theirs`` must be moved to lie on ``ours``, in cells, along the ``usable`` axes.
+@dataclass(frozen=True)
+class Registration:
+    """``moved`` (rows, columns): how far the reference must be moved, in cells.
+
+    ``gain``: how many times the reference's contrast the candidate has. ``influence`` (2, nv, nu): by how much each
+    cell of the candidate moves the reference.
+    """
+
+    moved: np.ndarray
+    gain: float
+    influence: np.ndarray
+
+
+def register(ours: np.ndarray, theirs: np.ndarray, usable: np.ndarray) -> Registration:
+    """Lay ``theirs`` on ``ours`` by a move along the ``usable`` axes.
 
     Minimises the sum over the interior of (ours - gain * moved - offset)^2.
     """
@@ -76,27 +127,80 @@ def register(ours: np.ndarray, theirs: np.ndarray, usable: np.ndarray) -> np.nda
         (ours - ours.mean()) * window, (theirs - theirs.mean()) * window, upsample_factor=10, normalization=None
     )
     moved = np.where(usable, start, 0.0)
+    spline = spline_filter(theirs, order=3, mode="nearest")
+    gain, influence = 0.0, np.zeros((2, *ours.shape))
     for _ in range(STEPS):
-        step = _step(ours, theirs, moved, usable, window)
+        step, gain, influence = _step(ours, spline, moved, usable, window)
         moved = moved + step
-        if np.abs(step).max() < 1e-7:
+        if np.abs(step).max() < SETTLED_CELLS:
             break
     limit = np.array(ours.shape) / 2
     if not (np.isfinite(moved).all() and (np.abs(moved) < limit).all()):
         raise MetricError("the two patterns do not match anywhere; are they the same pattern?")
-    return moved
+    return Registration(moved, gain, influence)
 
 
 def _step(
-    ours: np.ndarray, theirs: np.ndarray, moved: np.ndarray, usable: np.ndarray, window: np.ndarray
-) -> np.ndarray:
-    """One Gauss-Newton step of the displacement; gain and offset are solved for at the same time."""
-    shifted = spline_shift(theirs, moved, order=3, mode="nearest")
-    weight = np.sqrt(window).ravel()
-    slopes = [np.gradient(shifted, axis=axis).ravel() if usable[axis] else np.zeros(ours.size) for axis in (0, 1)]
-    columns = np.stack([shifted.ravel(), np.ones(ours.size), -slopes[0], -slopes[1]], axis=-1) * weight[:, None]
-    gain, _, *scaled = np.linalg.lstsq(columns, ours.ravel() * weight, rcond=1e-12)[0]
-    if abs(gain) < 1e-9:
-        return np.zeros(2)
-    # Two cells at most a step: beyond that the linear picture of the pattern does not hold.
-    return np.clip(np.where(usable, np.array(scaled) / gain, 0.0), -2, 2)
+    ours: np.ndarray, spline: np.ndarray, moved: np.ndarray, usable: np.ndarray, window: np.ndarray
+) -> tuple[np.ndarray, float, np.ndarray]:
+    """One Gauss-Newton step of the displacement, the gain, and the influence of each cell on the step.
+
+    Gain and offset are solved for at the same time.
+    """
+    shifted = _shifted(spline, moved)
+    # Differences of moves, not of cells: neighbouring cells are too far apart for the slope of an edge.
+    moves = np.eye(2)[usable] * SLOPE_CELLS
+    slopes = [(_shifted(spline, moved + move) - _shifted(spline, moved - move)) / (2 * SLOPE_CELLS) for move in moves]
+    columns = np.stack([shifted, np.ones_like(shifted), *slopes])
+    columns = columns.reshape(len(columns), -1)
+    weighted = columns * window.ravel()
+    normal = weighted @ columns.T
+    # Columns of equal size keep the normal equations as good as the columns are.
+    size = np.sqrt(np.maximum(np.diag(normal), np.finfo(float).tiny))
+    solution = (np.linalg.pinv(normal / np.outer(size, size), rcond=1e-12) / size[:, None]) @ (weighted / size[:, None])
+    gain, _, *scaled = solution @ ours.ravel()
+    step, influence = np.zeros(2), np.zeros((2, *ours.shape))
+    if abs(gain) >= LEAST_GAIN:
+        # Two cells at most a step: beyond that the linear picture of the pattern does not hold.
+        step[usable] = np.clip(np.array(scaled) / gain, -2, 2)
+        influence[usable] = solution[2:].reshape(-1, *ours.shape) / gain
+    return step, float(gain), influence
+
+
+def _shifted(spline: np.ndarray, moved: np.ndarray) -> np.ndarray:
+    shifted: np.ndarray = spline_shift(spline, moved, order=3, mode="nearest", prefilter=False)
+    return shifted
+
+
+def _usable(candidate: PatchSamples, reference: PatchSamples) -> np.ndarray:
+    """Which directions (rows, columns) have a pattern. Raises MetricError where none has."""
+    ours, theirs = candidate.values.mean(axis=-1), reference.values.mean(axis=-1)
+    texture = np.array([np.mean(np.diff(theirs, axis=axis) ** 2) if theirs.shape[axis] > 4 else 0.0 for axis in (0, 1)])
+    if not texture.max() > (1e-6 * np.abs(theirs).max()) ** 2:
+        raise MetricError("the patch shows no pattern; put a checker where the patch looks")
+    if not np.ptp(ours) > 1e-6 * np.abs(ours).max():
+        raise MetricError("the candidate shows no pattern on the patch; there is nothing to lay on the reference's")
+    return texture > LEAST_TEXTURE * texture.max()
+
+
+def _stands_out(samples: PatchSamples, axis: int) -> bool:
+    """Whether the slopes of the smoothed pattern along an axis are several times those of its noise."""
+    if samples.noise is None:
+        return True
+    grain = gaussian_filter(samples.noise.mean(axis=-1), SMOOTHING_CELLS)
+    whole, noise = (float(np.mean(np.diff(each, axis=axis) ** 2)) for each in (_smooth(samples), grain))
+    return whole >= LEAST_OVER_NOISE * noise
+
+
+def _smooth(samples: PatchSamples) -> np.ndarray:
+    smooth: np.ndarray = gaussian_filter(samples.values.mean(axis=-1), SMOOTHING_CELLS)
+    return smooth
+
+
+def _influence(found: Registration, axis: int) -> tuple[np.ndarray, np.ndarray]:
+    """By how much the move grows with each cell of the two pictures as they are, before smoothing and shift.
+
+    The window leaves nothing at the borders, where smoothing and shift are not their own transposes.
+    """
+    own = gaussian_filter(found.influence[axis], SMOOTHING_CELLS)
+    return own, -found.gain * spline_shift(own, -found.moved, order=3, mode="nearest")

@@ -45,23 +45,32 @@ def fit_edge(x_m: np.ndarray, values: np.ndarray, cell_m: float, near_m: float =
 
     def misfit(parameters: np.ndarray) -> np.ndarray:
         position, width, before, after = parameters
-        return before + (after - before) * _blurred_step(x - position, abs(width), cell_m) - y
+        return before + (after - before) * _blurred_step(x - position, abs(width), cell_m)[0] - y
+
+    def slopes(parameters: np.ndarray) -> np.ndarray:
+        position, width, before, after = parameters
+        step, by_place, by_width = _blurred_step(x - position, abs(width), cell_m)
+        height = after - before
+        return np.stack([-height * by_place, height * np.sign(width) * by_width, 1 - step, step], axis=-1)
 
     start = np.array([x[steepest], max(sigma, 0.3 * cell_m), low, high])
     scale = np.array([reach, reach, abs(high - low), abs(high - low)])
-    found = least_squares(misfit, start, x_scale=scale, xtol=1e-12, ftol=1e-12, gtol=1e-12).x
+    found = least_squares(misfit, start, slopes, method="lm", x_scale=scale, xtol=1e-12, ftol=1e-12, gtol=1e-12).x
     return Edge(float(found[0]), float(abs(found[1])), float(found[2]), float(found[3]))
 
 
-def _blurred_step(x: np.ndarray, sigma: float, cell: float) -> np.ndarray:
-    """The mean over a cell of the normal distribution function of width ``sigma``; a clipped ramp for sigma -> 0."""
+def _blurred_step(x: np.ndarray, sigma: float, cell: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """The mean over a cell of the normal distribution function of width ``sigma``; a clipped ramp for sigma -> 0.
+
+    With its slopes by place and by width.
+    """
     sigma = max(sigma, 1e-6 * cell)
-
-    def integral(t: np.ndarray) -> np.ndarray:
-        z = t / sigma
-        return sigma * (z * ndtr(z) + np.exp(-(z**2) / 2) / np.sqrt(2 * np.pi))
-
-    return (integral(x + cell / 2) - integral(x - cell / 2)) / cell
+    ends = np.stack([x - cell / 2, x + cell / 2]) / sigma
+    share, height = ndtr(ends), np.exp(-(ends**2) / 2) / np.sqrt(2 * np.pi)
+    integral = sigma * (ends * share + height)
+    # The integral over t of the step is sigma (z Phi + phi) with z = t / sigma: by t it grows by Phi, by sigma by phi.
+    mean, by_place, by_width = ((each[1] - each[0]) / cell for each in (integral, share, height))
+    return mean, by_place, by_width
 
 
 def _one_edge(x_m: np.ndarray, values: np.ndarray, near_m: float) -> slice:

@@ -8,14 +8,15 @@ returns comparisons whose ``ideal`` is the value of a perfect match. A name with
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, Literal
 
 import numpy as np
-from scipy import stats
+from scipy.special import stdtrit
 
 from vitrail.base.colour import Triplet
+from vitrail.images.patch import PatchSamples
 
 CHANNELS = ("red", "green", "blue")
 PatchAxis = Literal["u", "v"]
@@ -42,7 +43,7 @@ class StudentInterval:
     @classmethod
     def about(cls, value: float, standard_error: float, dof: float, level: float, method: str) -> StudentInterval:
         """Student's t interval about ``value``; ``dof`` may be infinite."""
-        reach = float(stats.t.ppf(0.5 + level / 2, dof)) * standard_error if standard_error > 0 else 0.0
+        reach = float(stdtrit(dof, 0.5 + level / 2)) * standard_error if standard_error > 0 else 0.0
         return cls(value - reach, value + reach, level, method, standard_error, dof)
 
     def at_level(self, level: float) -> StudentInterval:
@@ -108,6 +109,10 @@ class Context:
     bands: Mapping[str, Triplet] = field(default_factory=dict)
     furnace_radiance: Triplet | None = None
     correlation_m: float = 0.0
+
+
+PatchMetric = Callable[[PatchSamples, PatchSamples | None, Context], list[Measurement]]
+"""A metric: candidate, reference or None, and what else it may know."""
 
 
 def per_channel(family: str, values: np.ndarray, unit: str, ideal: float | None, **rest: Any) -> list[Measurement]:

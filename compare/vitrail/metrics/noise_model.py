@@ -7,7 +7,9 @@ at the same slow pace. The correlation (photons gathered within a disc) is taken
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import islice
 
 import numpy as np
 from scipy import fft
@@ -42,15 +44,23 @@ class NoiseModel:
     def is_loud(self) -> bool:
         return bool(np.any(self.deviation > 0))
 
-    def draw(self, seed: tuple[int, ...]) -> np.ndarray:
-        """Noise (nv, nu, 3) of this law; a pure function of ``seed``."""
+    def pair(self, seed: tuple[int, ...]) -> tuple[np.ndarray, np.ndarray]:
+        """Two independent fields of noise (nv, nu, 3) of this law; a pure function of ``seed``."""
         rows, columns = self.deviation.shape[:2]
         shape = self.spectrum.shape
-        white = np.random.default_rng(seed).standard_normal((3, *shape))
-        # White noise through the root of the spectrum has the measured correlation.
-        root = np.sqrt(self.spectrum[:, : shape[1] // 2 + 1])
-        shaped = fft.irfft2(fft.rfft2(white) * root, s=shape)[:, :rows, :columns]
-        return self.deviation * (np.moveaxis(shaped, 0, -1) @ self.mixing.T)
+        # Complex white noise is its own transform; through the root of the spectrum it has the measured correlation,
+        # and its two parts know nothing of each other.
+        white = np.random.default_rng(seed).standard_normal((3, *shape, 2), dtype=np.float32).view(np.complex64)[..., 0]
+        size = np.float32(np.sqrt(self.spectrum.size))
+        shaped = fft.ifft2(white * (np.sqrt(self.spectrum).astype(np.float32) * size))[:, :rows, :columns]
+        parts = (np.moveaxis(part, 0, -1) @ self.mixing.T for part in (shaped.real, shaped.imag))
+        first, second = (self.deviation * part for part in parts)
+        return first, second
+
+    def draws(self, count: int, seed: int) -> Iterator[np.ndarray]:
+        """The first ``count`` fields of the sequence that belongs to ``seed``."""
+        pairs = (field for number in range((count + 1) // 2) for field in self.pair((number, seed)))
+        return islice(pairs, count)
 
 
 def learn_noise(samples: PatchSamples, correlation_m: float) -> NoiseModel | None:
