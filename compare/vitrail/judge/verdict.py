@@ -12,7 +12,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 
 from pydantic import JsonValue
-from scipy import stats
+from scipy.special import stdtrit
 
 from vitrail.judge.bound import LEVEL, bound_of, number_statement
 from vitrail.judge.comparison import Comparison, Interval, Pair, TolerancePart, Verdict
@@ -56,7 +56,7 @@ def interval_of(measured: Measured, level: float) -> Interval:
     noise, difference = measured.noise, measured.value - measured.ideal
     if noise.standard_error == 0:
         return Interval(low=difference, high=difference, level=level, method="exact")
-    quantile = float(stats.t.isf((1 - level) / 2, noise.degrees_of_freedom))
+    quantile = -float(stdtrit(noise.degrees_of_freedom, (1 - level) / 2))
     reach = quantile * noise.standard_error
     return Interval(low=difference - reach, high=difference + reach, level=level, method=noise.method)
 
