@@ -57,16 +57,19 @@ class FormulaEngine:
             raise EngineFailure(self.name, "it stopped", "mend it", word)
         scene_hash = lowered["scene_hash"] if isinstance(lowered, dict) else lowered.scene_hash
         is_quiet = bool(self.noisy) and (not isinstance(lowered, dict) or lowered["title"] != self.noisy)
-        samples = lowered["settings"]["samples"] if isinstance(lowered, dict) else 1
+        samples = _samples(lowered) if isinstance(lowered, dict) else 1
         noise = 0.0 if is_quiet else self.noise / math.sqrt(1 if self.stays_noisy else samples)
         rng = np.random.default_rng(sum(map(ord, self.name)))
-        halves = [self.radiance * (1 + noise * rng.standard_normal((32, 32, 3))) for _ in "ab"]
         out_dir.mkdir(parents=True, exist_ok=True)
-        path = out_dir / f"{self.name}.exr"
         metadata = {"vitrail:scene_hash": scene_hash, "vitrail:settings": json.dumps({"seed": 1})}
-        write_image(
-            path, self.spoil((halves[0] + halves[1]) / 2), half_a=halves[0], half_b=halves[1], metadata=metadata
-        )
+
+        def picture(name: str, size: tuple[int, int]) -> Path:
+            a, b = (self.radiance * (1 + noise * rng.standard_normal((*size, 3))) for _ in "ab")
+            write_image(out_dir / name, self.spoil((a + b) / 2), half_a=a, half_b=b, metadata=metadata)
+            return out_dir / name
+
+        path = picture(f"{self.name}.exr", _size(lowered))
+        views = {name: picture(f"{self.name}.{name}.exr", size) for name, size in _views(lowered).items()}
         progress("camera", 1, 1)
         record = {
             "engine": self.name,
@@ -79,4 +82,23 @@ class FormulaEngine:
             },
             "settings": {"seed": 1},
         }
-        return Rendering(path, record)
+        return Rendering(path, record, views)
+
+
+def _size(lowered: Any) -> tuple[int, int]:
+    """Rows and columns of the scene's picture."""
+    if isinstance(lowered, dict):
+        return lowered["image"]["height"], lowered["image"]["width"]
+    return lowered.height, lowered.width
+
+
+def _samples(lowered: dict[str, Any]) -> int:
+    """Samples of a pixel, of a view where there are some."""
+    return max((view["samples"] for view in lowered.get("views", ())), default=lowered["settings"]["samples"])
+
+
+def _views(lowered: Any) -> dict[str, tuple[int, int]]:
+    """Rows and columns of each view."""
+    if isinstance(lowered, dict):
+        return {view["name"]: (view["image"]["height"], view["image"]["width"]) for view in lowered.get("views", ())}
+    return {view.name: (view.image.height, view.image.width) for view in lowered.views}

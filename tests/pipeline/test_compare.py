@@ -84,7 +84,7 @@ def test_the_engine_that_is_wrong_is_named(tmp_path: Path, card: Loaded) -> None
 
 
 def test_noise_is_doubt_and_says_how_many_more_samples_decide(tmp_path: Path, card: Loaded) -> None:
-    results = run(tmp_path, [card], tracer=FormulaEngine("tracer", noise=0.5))
+    results = run(tmp_path, [card], tracer=FormulaEngine("tracer", noise=2.0))
     assert (results.verdict, results.exit_code) == (Verdict.INCONCLUSIVE, 5)
     doubtful = [e for e in only(results).observations[0].comparisons if e.verdict is Verdict.INCONCLUSIVE]
     assert any(entry.sample_factor and entry.sample_factor > 1 for entry in doubtful)
@@ -93,7 +93,7 @@ def test_noise_is_doubt_and_says_how_many_more_samples_decide(tmp_path: Path, ca
 def test_doubt_buys_samples_and_only_for_the_scene_in_doubt(tmp_path: Path, card: Loaded) -> None:
     other = card.path.with_name("other.yaml")
     other.write_text(CARD.replace("Grey card", "Second card"))
-    tracer = FormulaEngine("tracer", noise=0.02, noisy="Second card")
+    tracer = FormulaEngine("tracer", noise=0.1, noisy="Second card")
     results = run(tmp_path, [card, load(other)], tracer=tracer, rounds=2, budget_s=1e6)
     assert results.exit_code == 0, "the samples that were bought decide"
     sure, doubtful = results.scenes
@@ -105,19 +105,19 @@ def test_doubt_buys_samples_and_only_for_the_scene_in_doubt(tmp_path: Path, card
 
 
 def test_doubt_that_outlasts_the_rounds_stays_doubt(tmp_path: Path, card: Loaded) -> None:
-    tracer = FormulaEngine("tracer", noise=0.5, stays_noisy=True)
+    tracer = FormulaEngine("tracer", noise=2.0, stays_noisy=True)
     results = run(tmp_path, [card], tracer=tracer, rounds=1, budget_s=1e9)
     assert (results.verdict, tracer.renders) == (Verdict.INCONCLUSIVE, 2)
 
 
 def test_doubt_that_costs_more_than_its_bound_buys_nothing_and_says_the_price(tmp_path: Path, card: Loaded) -> None:
-    tracer = FormulaEngine("tracer", noise=0.5)
+    tracer = FormulaEngine("tracer", noise=2.0)
     scene = only(run(tmp_path, [card], tracer=tracer, rounds=3, budget_s=10.0))
     assert (scene.verdict, tracer.renders) == (Verdict.INCONCLUSIVE, 1)
     wish = scene.more_samples
     assert wish is not None and not wish.affordable and wish.cpu_s is not None and wish.cpu_s > wish.budget_s == 10.0
     # The two looks of 4 CPU s that the engines claim are gone from what is left.
-    noisy = FormulaEngine("tracer", noise=0.02, stays_noisy=True)
+    noisy = FormulaEngine("tracer", noise=0.1, stays_noisy=True)
     out = tmp_path / "again"
     spent = only(run(out, [card], tracer=noisy, rounds=1, budget_s=1000.0)).more_samples
     assert spent is not None and "996 of the 1000 CPU s" in spent.reason
@@ -201,7 +201,7 @@ def test_a_scene_that_observes_nothing_is_no_success(tmp_path: Path, card: Loade
 def test_a_patch_outside_the_picture_is_said(tmp_path: Path, card: Loaded) -> None:
     path = card.path.with_name("aside.yaml")
     path.write_text(CARD.replace("center: [0, 0, 0], u", "center: [0.55, 0, 0], u"))
-    results = run(tmp_path, [load(path)])
+    results = run(tmp_path, [load(path)], views=False)
     assert results.exit_code == 2
     assert "% of its patch is in the frame" in only(results).message
 

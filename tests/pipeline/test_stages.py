@@ -13,6 +13,7 @@ from vitrail.judge.comparison import Verdict
 from vitrail.pipeline.about_run import about_run
 from vitrail.pipeline.compare import compare
 from vitrail.pipeline.gated_images import open_images
+from vitrail.pipeline.gated_views import open_views
 from vitrail.pipeline.job import prepare
 from vitrail.pipeline.judge import judge
 from vitrail.pipeline.lowered import lower
@@ -39,7 +40,7 @@ def test_the_stages_can_be_called_one_by_one_and_give_what_compare_gives(tmp_pat
     request = Request(out=tmp_path / "out", quality=Quality.DRAFT, engines=engines)
     references, place = tmp_path / "references", tmp_path / "out" / "card"
 
-    job = prepare(card, request.quality, request.overrides)
+    job = prepare(card, request.quality, request.overrides).with_views()
     assert "samples=1" in str(job) and "diffusion" in str(job.plan)
 
     lowered = lower(job, request)
@@ -49,11 +50,12 @@ def test_the_stages_can_be_called_one_by_one_and_give_what_compare_gives(tmp_pat
     rendered = run_both(lowered, place, request)
     assert {side: made.record["engine"] for side, made in rendered.items()} == {"tracer": "tracer", "povray": "povray"}
 
-    record, images = open_images(record_of_job(job, "card", request), rendered, None, place)
+    record, images = open_images(record_of_job(job, "card", request), rendered, None, place, job.times)
+    record, views = open_views(record, job.scene, job.views, rendered, place)
     assert all(gate.passed for gate in record.gates)
     assert images["tracer"].radiance.mean() == pytest.approx(0.55)
 
-    measured = Measurements(job.scene, "card", references, job.settings, images, None)
+    measured = Measurements(job.scene, "card", references, job.settings, images, None, views, job.times)
     (observed,) = measured.observations()
     reds = sorted(entry.value for entry in observed.measured if entry.metric == "mean_radiance.red")
     assert reds == pytest.approx([0.5, 0.55])

@@ -166,12 +166,16 @@ def test_an_image_of_a_finished_run_is_accepted_with_its_recipe(card: Loaded) ->
     out = card.path.parent / "run"
     compare([card], Request(out=out, engines=engines, quality="draft", overrides={"seed": 7}))
     (scene,) = json.loads((out / "results.json").read_text())["scenes"]
-    propose_from_run(card, references(card), "looked at in the report", out, scene).accept()
+    again = FormulaEngine("tracer", noise=0.1)
+    work = {"engine": again, "work": out / "work"}
+    # The picture of that run is larger than the scene says, for people: what it shows is rendered at its own size.
+    propose_from_run(card, references(card), "looked at in the report", out, scene, **work).accept()
+    assert again.renders == 1
     stored = read_stored(references(card), "card", scene_hash(card.scene))
     assert stored.provenance.settings["seed"] == 7 and stored.provenance.because == "looked at in the report"
     scene["scene_hash"] = "0" * 64
     with pytest.raises(ReferencesError, match="has changed since the run"):
-        propose_from_run(card, references(card), "again", out, scene)
+        propose_from_run(card, references(card), "again", out, scene, **work)
 
 
 def test_a_stored_image_is_small(card: Loaded) -> None:

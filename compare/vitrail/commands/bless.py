@@ -95,6 +95,7 @@ def _rendered(
 def _taken(source: Path, because: str, references: Path | None) -> Iterator[Proposal]:
     """The images of a finished comparison: those that agree with one reason, or those that a reader accepted."""
     from vitrail.commands.scene_file import read_scene
+    from vitrail.engines.tracer import Tracer
     from vitrail.judge.references import references_folder
     from vitrail.pipeline.accept import propose_from_run
     from vitrail.pipeline.decisions import read_decisions
@@ -113,7 +114,9 @@ def _taken(source: Path, because: str, references: Path | None) -> Iterator[Prop
         decision = None if accepted is None else accepted[scene["name"]]
         reason = (decision.because if decision else "") or because
         folder = references_folder(loaded.path, references)
-        yield propose_from_run(loaded, folder, reason, run, scene, decision.content if decision else None)
+        content = decision.content if decision else None
+        with tempfile.TemporaryDirectory(prefix="vitrail-bless-") as work:
+            yield propose_from_run(loaded, folder, reason, run, scene, content, engine=Tracer(), work=Path(work))
 
 
 def _run_of(decisions: Path, named: Path) -> Path:

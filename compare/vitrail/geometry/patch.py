@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from collections.abc import Iterable
 
 from vitrail.base.vector import Vec
 from vitrail.geometry.bounds import Bounds, about_parallelogram
@@ -15,7 +16,15 @@ def bounds_of_patch(patch: Patch) -> Bounds:
 
 def corners_of(patch: Patch) -> list[Vec]:
     """The four corners of a patch."""
-    signs = itertools.product((-1, 1), (-1, 1))
+    return _corners(patch, itertools.product((-1, 1), (-1, 1)))
+
+
+def corners_around(patch: Patch) -> list[Vec]:
+    """The four corners of a patch, each beside the one before it."""
+    return _corners(patch, ((-1, -1), (1, -1), (1, 1), (-1, 1)))
+
+
+def _corners(patch: Patch, signs: Iterable[tuple[int, int]]) -> list[Vec]:
     return [
         (
             patch.center[0] + a * patch.u[0] + b * patch.v[0],

@@ -33,9 +33,15 @@ class Inspected:
     metadata: Mapping[str, str] = field(default_factory=dict)
 
 
-def check_gates(width: int, height: int, scene_hash: str, images: Sequence[Inspected]) -> tuple[Gate, ...]:
-    """Pass every image of a scene through every gate."""
+def check_gates(
+    width: int, height: int, scene_hash: str, images: Sequence[Inspected], *, may_be_black: bool = False
+) -> tuple[Gate, ...]:
+    """Pass every image of a scene through every gate.
+
+    A whole picture without light has measured nothing; one of a patch alone ``may_be_black``, deep in a shadow.
+    """
     gates = [gate for image in images for gate in _one_image(width, height, scene_hash, image)]
+    gates += [] if may_be_black else [gate_light(image) for image in images]
     return (*gates, *(_same_settings(first, second) for first, second in zip(images, images[1:], strict=False)))
 
 
@@ -46,7 +52,6 @@ def _one_image(width: int, height: int, scene_hash: str, image: Inspected) -> li
         gate_channels(image),
         gate_linear(image),
         gate_finite(image),
-        gate_light(image),
         gate_exposure(image),
         gate_scene(scene_hash, image),
     ]

@@ -21,8 +21,9 @@ from scipy.special import stdtrit
 
 from vitrail.images.exr import ImageLayers
 from vitrail.images.patch import PatchGrid, PatchSamples, make_grid
-from vitrail.judge.observe import context_of, samples_of
+from vitrail.judge.observe import context_of
 from vitrail.judge.references import SceneTruth
+from vitrail.judge.shown import Shown
 from vitrail.judge.thresholds import Thresholds
 from vitrail.metrics.by_phenomenon import measure, measure_with_intervals
 from vitrail.metrics.measurement import Context, Measurement, MetricError
@@ -168,7 +169,7 @@ class Observer:
         ]
 
     def _samples(self, entry: Observation, image: ImageLayers) -> PatchSamples:
-        return samples_of(self.scene, entry, image, self._grids[entry.name])
+        return Shown.by_scene(self.scene, {"": image}).samples("", entry.patch, self._grids[entry.name])
 
     def _context(self, entry: Observation) -> Context:
         return context_of(self.scene, entry, self.truth, self.correlation_m)

@@ -41,6 +41,7 @@ def judge_observation(
         name=observed.observation.name,
         phenomenon=phenomenon,
         patch=observed.patch,
+        view=observed.view,
         comparisons=comparisons,
         profiles=observed.profiles,
         unmeasured=observed.unmeasured,

@@ -9,18 +9,17 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
-import numpy as np
-
 from vitrail.base.phenomenon import Phenomenon
-from vitrail.geometry.camera import View
 from vitrail.images.exr import ImageLayers
-from vitrail.images.patch import PatchGrid, PatchSamples, make_grid, sample_patch
+from vitrail.images.patch import PatchSamples
 from vitrail.judge.comparison import Pair, PatchRecord, Profile
 from vitrail.judge.patch_light import PatchLight, patch_light
 from vitrail.judge.profiles import profiles_of
 from vitrail.judge.references import SceneTruth, Truth
+from vitrail.judge.shown import Shown, patch_record
 from vitrail.judge.to_json import to_json
 from vitrail.judge.verdict import Measured, Noise
+from vitrail.judge.view_record import ViewRecord
 from vitrail.metrics.by_phenomenon import measure, measure_with_intervals
 from vitrail.metrics.measurement import Context, Measurement, MetricError
 from vitrail.metrics.smoothing import smoothed_again
@@ -32,7 +31,10 @@ UNSEEN = 0.5
 
 @dataclass(frozen=True)
 class Observed:
-    """One observation with its numbers; ``unmeasured`` says what no number could be had for."""
+    """One observation with its numbers; ``unmeasured`` says what no number could be had for.
+
+    ``view`` is the picture in which it was measured, None for the scene's own.
+    """
 
     observation: Observation
     patch: PatchRecord
@@ -41,6 +43,7 @@ class Observed:
     truths: tuple[Truth | None, ...]
     profiles: tuple[Profile, ...]
     unmeasured: tuple[str, ...]
+    view: ViewRecord | None = None
 
 
 def merged(first: Observed, second: Observed) -> Observed:
@@ -58,31 +61,41 @@ class NothingToMeasure(Exception):
 
 
 def observe(
-    scene: Scene, images: Mapping[str, ImageLayers], pairs: Sequence[Pair], truth: SceneTruth, correlation_m: float
+    scene: Scene,
+    images: Mapping[str, ImageLayers],
+    pairs: Sequence[Pair],
+    truth: SceneTruth,
+    correlation_m: float,
+    views: Mapping[str, Shown] | None = None,
 ) -> tuple[Observed, ...]:
-    """Everything the scene asks to be observed. ``images`` by side; ``correlation_m`` is the gather radius.
+    """Everything the scene asks to be observed.
 
-    Raises NothingToMeasure for a patch that shows nothing.
+    ``images`` by side are the scene's own; ``views`` by observation are what was made for it alone. ``correlation_m``
+    is the gather radius. Raises NothingToMeasure for a patch that shows nothing.
     """
-    return tuple(_observe(scene, entry, images, pairs, truth, correlation_m) for entry in scene.observe)
+    own = Shown.by_scene(scene, images)
+    return tuple(
+        _observe(scene, entry, (views or {}).get(entry.name, own), pairs, truth, correlation_m)
+        for entry in scene.observe
+    )
 
 
 def _observe(
     scene: Scene,
     observation: Observation,
-    images: Mapping[str, ImageLayers],
+    shown: Shown,
     pairs: Sequence[Pair],
     truth: SceneTruth,
     correlation_m: float,
 ) -> Observed:
     """One observation: sample the patch of every image, compare every pair, hold every side against its truths."""
-    grid = make_grid(scene.camera, scene.image, observation.patch)
+    grid = shown.grid(observation.patch)
     if grid.coverage.mean() < UNSEEN:
         share = f"{100 * grid.coverage.mean():.0f} %"
         raise NothingToMeasure(
             f"{observation.name}: {share} of its patch is in the frame; move the patch or the camera"
         )
-    samples = {side: samples_of(scene, observation, image, grid) for side, image in images.items()}
+    samples = {side: shown.samples(side, observation.patch, grid) for side in shown.images}
     context = context_of(scene, observation, truth, correlation_m)
     measured: list[Measured] = []
     truths: list[Truth | None] = []
@@ -99,41 +112,33 @@ def _observe(
             measured += found
             truths += kept
             unmeasured += silent
-    patch = _patch_record(scene, observation, grid)
     return Observed(
         observation=observation,
-        patch=patch,
+        patch=patch_record(scene, observation.patch, grid),
         half_edge_m=min(math.hypot(*observation.patch.u), math.hypot(*observation.patch.v)),
         measured=tuple(measured),
         truths=tuple(truths),
         profiles=profiles_of(observation, samples, truth.profiles.get(observation.name)),
         unmeasured=tuple(dict.fromkeys(unmeasured)),
+        view=shown.record,
     )
 
 
 def patch_lights(
-    scene: Scene, images: Mapping[str, ImageLayers], truth: SceneTruth, correlation_m: float
+    scene: Scene,
+    images: Mapping[str, ImageLayers],
+    truth: SceneTruth,
+    correlation_m: float,
+    views: Mapping[str, Shown] | None = None,
 ) -> dict[str, PatchLight]:
     """The mean light of every patch in both engines. Raises MetricError for a patch outside the image."""
-    found = {}
+    found, own = {}, Shown.by_scene(scene, images)
     for entry in scene.observe:
-        grid = make_grid(scene.camera, scene.image, entry.patch)
-        tracer, povray = (samples_of(scene, entry, images[side], grid) for side in ("tracer", "povray"))
+        shown = (views or {}).get(entry.name, own)
+        grid = shown.grid(entry.patch)
+        tracer, povray = (shown.samples(side, entry.patch, grid) for side in ("tracer", "povray"))
         found[entry.name] = patch_light(tracer, povray, context_of(scene, entry, truth, correlation_m))
     return found
-
-
-def samples_of(scene: Scene, observation: Observation, image: ImageLayers, grid: PatchGrid) -> PatchSamples:
-    return sample_patch(
-        image.radiance,
-        scene.camera,
-        scene.image,
-        observation.patch,
-        half_a=image.half_a,
-        half_b=image.half_b,
-        layers=image.layers,
-        grid=grid,
-    )
 
 
 def context_of(scene: Scene, observation: Observation, truth: SceneTruth, correlation_m: float) -> Context:
@@ -234,17 +239,4 @@ def _measured(pair: Pair, entry: Measurement, ideal: float, source: str, smoothi
         parts=to_json(entry.parts),
         caveats=caveats,
         smoothing=smoothing,
-    )
-
-
-def _patch_record(scene: Scene, observation: Observation, grid: PatchGrid) -> PatchRecord:
-    """The patch with its outline in the image, for the page to draw."""
-    patch = observation.patch
-    center, u, v = (np.asarray(vector, float) for vector in (patch.center, patch.u, patch.v))
-    corners = np.stack([center - u - v, center + u - v, center + u + v, center - u + v])
-    x, y, depth = View.of(scene.camera, scene.image).project(corners)
-    seen = bool(np.all(depth > 0) and np.isfinite(x).all() and np.isfinite(y).all())
-    outline = tuple((round(float(a), 2), round(float(b), 2)) for a, b in zip(x, y, strict=True)) if seen else ()
-    return PatchRecord(
-        center=patch.center, u=patch.u, v=patch.v, outline_px=outline, coverage=min(float(grid.coverage.mean()), 1.0)
     )

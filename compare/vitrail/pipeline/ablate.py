@@ -23,13 +23,15 @@ from vitrail.judge.observe import NothingToMeasure, Observed, observe, patch_lig
 from vitrail.judge.patch_light import PatchLight
 from vitrail.judge.records import SceneResult
 from vitrail.judge.references import SceneTruth, read_scene_truth
+from vitrail.judge.shown import Shown
 from vitrail.judge.thresholds import Thresholds
 from vitrail.judge.whereabouts import Switched, whereabouts
 from vitrail.lower.povray import NothingToEdit, NotTranslatable
 from vitrail.metrics.measurement import MetricError
 from vitrail.pipeline.defect import Defect
-from vitrail.pipeline.job import Job, prepare
-from vitrail.pipeline.lowered import Lowered, lower
+from vitrail.pipeline.gated_views import read_views
+from vitrail.pipeline.job import Job
+from vitrail.pipeline.lowered import Lowered, job_of, lower
 from vitrail.pipeline.request import Request
 from vitrail.pipeline.run_both import run_both
 from vitrail.plan.ablation import Ablation, ablations
@@ -118,7 +120,10 @@ def search_whereabouts(
     truth = replace(known, truths={}, profiles={})
     own = {image.side: read_image(request.out / image.exr) for image in record.images if image.side != "stored"}
     radius_m = number_in(record.settings, "gather_radius_m", 0.0)
-    light = patch_lights(scene, own, truth, radius_m)
+    views = {
+        entry.name: Shown.of_record(entry.view, request.out) for entry in record.observations if entry.view is not None
+    }
+    light = patch_lights(scene, own, truth, radius_m, views)
     price_s = sum(engine.cpu_s or 0.0 for engine in record.engines)
     ablated = []
     for ablation in ablations(world, plan):
@@ -145,15 +150,16 @@ def _ablated(
 ) -> AblatedScene:
     """Render and measure one ablated scene; what goes wrong is said and ends nothing."""
     scene = _observing(ablation.scene, wanted)
-    job = prepare(replace(loaded, scene=scene), request.quality, request.overrides)
+    job = job_of(replace(loaded, scene=scene), request)
     folder = place / ablation.name.replace(" ", "_")
     try:
         lowered = _lowered(job, request)
         made = run_both(lowered, folder, request, progress)
         cpu_s = sum(rendering.record.get("cpu_s", {}).get("total") or 0.0 for rendering in made.values())
         images = {side: read_image(rendering.image_path) for side, rendering in made.items()}
-        observed = _observed(scene, images, truth, job.settings.gather_radius_m)
-        light = patch_lights(scene, images, truth, job.settings.gather_radius_m)
+        views, radius_m = read_views(job.views, made), job.settings.gather_radius_m
+        observed = _observed(job.scene, images, truth, radius_m, views)
+        light = patch_lights(job.scene, images, truth, radius_m, views)
     except (NotTranslatable, EngineFailure, ImageError, NothingToMeasure, MetricError) as error:
         # The first clause says what went wrong; remedies are for a scene that somebody wrote.
         return AblatedScene(ablation, {}, {}, reason=" ".join(str(error).split()).split(";")[0])
@@ -180,7 +186,11 @@ def _observing(scene: Scene, wanted: set[str]) -> Scene:
 
 
 def _observed(
-    scene: Scene, images: Mapping[str, ImageLayers], truth: SceneTruth, radius_m: float
+    scene: Scene,
+    images: Mapping[str, ImageLayers],
+    truth: SceneTruth,
+    radius_m: float,
+    views: Mapping[str, Shown],
 ) -> dict[str, Observed]:
-    found = observe(scene, images, (Pair.TRACER_POVRAY,), truth, radius_m)
+    found = observe(scene, images, (Pair.TRACER_POVRAY,), truth, radius_m, views)
     return {entry.observation.name: entry for entry in found}

@@ -78,27 +78,41 @@ def propose_rendering(
 
 
 def propose_from_run(
-    loaded: Loaded, folder: Path, because: str, run: Path, scene: Mapping[str, Any], content: str | None = None
+    loaded: Loaded,
+    folder: Path,
+    because: str,
+    run: Path,
+    scene: Mapping[str, Any],
+    content: str | None = None,
+    *,
+    engine: Engine,
+    work: Path,
 ) -> Proposal:
     """Propose the tracer's image of a finished comparison; ``scene`` is its entry in that run's results.json.
 
-    ``content`` is that of the image which somebody looked at, where somebody did; another one is refused.
+    ``content`` is that of the image which somebody looked at, where somebody did; another one is refused. A picture
+    that was made larger for people is no reference: ``engine`` renders the scene at its own size into ``work``, with
+    the settings of that run. Raises EngineFailure and ReferencesError.
     """
     if scene["scene_hash"] != scene_hash(loaded.scene):
         raise ReferencesError(
             f"{loaded.path}: has changed since the run in {run}; compare it again before you accept it"
         )
     made = next((image for image in scene["images"] if image["side"] == "tracer"), None)
-    engine = next((each for each in scene["engines"] if each["engine"] == "tracer"), None)
-    if made is None or engine is None:
+    made_by = next((each for each in scene["engines"] if each["engine"] == "tracer"), None)
+    if made is None or made_by is None:
         raise ReferencesError(f"{run}: has no image of the tracer for {scene['name']}; compare the scene again")
     image = read_image(run / made["exr"])
     if content is not None and stored_content(image) != content:
         raise ReferencesError(
             f"{run / made['exr']}: is not the image that was decided on; open the report and decide again"
         )
-    record = {**engine["record"], "settings": scene["settings"]}
-    return _proposal(loaded, folder, because, image, record, scene["settings"]["quality"])
+    settings = scene["settings"]
+    if image.width == loaded.scene.image.width:
+        record = {**made_by["record"], "settings": settings}
+        return _proposal(loaded, folder, because, image, record, settings["quality"])
+    quality, overrides = Quality(settings["quality"]), {key: settings[key] for key in settings if key != "quality"}
+    return propose_rendering(loaded, folder, because, work, engine=engine, quality=quality, overrides=overrides)
 
 
 def recipe_of(loaded: Loaded, folder: Path) -> tuple[Quality, dict[str, object], str]:

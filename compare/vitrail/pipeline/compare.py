@@ -17,8 +17,9 @@ from vitrail.judge.stored import Stored, read_stored
 from vitrail.lower.povray import NothingToEdit, NotTranslatable
 from vitrail.pipeline.ablate import search_whereabouts
 from vitrail.pipeline.gated_images import open_images
+from vitrail.pipeline.gated_views import open_views
 from vitrail.pipeline.job import Job, prepare
-from vitrail.pipeline.lowered import lower
+from vitrail.pipeline.lowered import job_of, lower
 from vitrail.pipeline.measurements import Measurements
 from vitrail.pipeline.own_defect import TRACEBACK, defective, if_own_defect, unsearched
 from vitrail.pipeline.request import Request
@@ -64,10 +65,13 @@ def compare_scene(task: SceneTask, progress: Progress = silent) -> SceneRun:
         lowered = lower(job, request)
         record = changed(record, certificate=lowered.certificate.records)
         rendered = run_both(lowered, place, request, progress)
-        record, images = open_images(record, rendered, stored, place)
+        record, images = open_images(record, rendered, stored, place, job.times)
+        if record.status is Status.JUDGED:
+            record, views = open_views(record, job.scene, job.views, rendered, place)
         if record.status is not Status.JUDGED:
             return SceneRun(record)
-        measured = Measurements(job.scene, loaded.path.stem, references, job.settings, images, stored)
+        name = loaded.path.stem
+        measured = Measurements(job.scene, name, references, job.settings, images, stored, views, job.times)
         record = changed(record, global_metrics=measured.whole_images())
         return SceneRun(record, measured.observations(), lowered.certificate.bound, references)
     except NotTranslatable as refusal:
@@ -88,8 +92,7 @@ def _stored(loaded: Loaded, references: Path, request: Request) -> Stored | None
 def _prepared(loaded: Loaded, stored: Stored | None, request: Request) -> Job:
     """The scene with the request's settings, or by the recipe of the stored image where that is to be made again."""
     if stored is None:
-        job = prepare(loaded, request.quality, request.overrides)
-        return job.with_views() if request.views else job
+        return job_of(loaded, request)
     recipe = {key: value for key, value in stored.provenance.settings.items() if key != "quality"}
     return prepare(loaded, Quality(stored.provenance.quality), {**recipe, **request.overrides})
 

@@ -18,17 +18,18 @@ from vitrail.pipeline.scene_record import ended
 
 
 def open_images(
-    record: SceneResult, made: Mapping[str, Rendering], stored: Stored | None, place: Path
+    record: SceneResult, made: Mapping[str, Rendering], stored: Stored | None, place: Path, times: int = 1
 ) -> tuple[SceneResult, dict[str, ImageLayers]]:
     """The images by side, and the record with how they were made, what the gates say, and their pictures in ``place``.
 
-    A closed gate ends the record. Raises EngineFailure for an image that cannot be read.
+    ``times`` is how many pixels the pictures have for one of the scene, along an edge. A closed gate ends the record.
+    Raises EngineFailure for an image that cannot be read.
     """
     engines = tuple(engine_record(rendering.record) for rendering in made.values())
     remarks = stored.remarks(engines[0].version) if stored is not None else ()
     record = changed(record, engines=engines, speed=speed_records(engines), warnings=(*record.warnings, *remarks))
     files = {side: rendering.image_path for side, rendering in made.items()}
-    images = {side: _read(side, path) for side, path in files.items()}
+    images = {side: read(side, path) for side, path in files.items()}
     if stored is not None:
         images["stored"], files["stored"] = stored.image, place / "stored.exr"
         shutil.copyfile(stored.path, files["stored"])
@@ -38,7 +39,7 @@ def open_images(
     failed = [gate.message for gate in gates if not gate.passed]
     if failed:
         return ended(record, Status.ENGINE_FAILED, "\n".join(failed)), images
-    sides, differences = write_pictures(images, files, place, record.exposure_stops)
+    sides, differences = write_pictures(images, files, place, record.exposure_stops, times)
     return changed(record, images=sides, differences=differences), images
 
 
@@ -56,7 +57,8 @@ def inspect(side: str, image: ImageLayers, file: str) -> Inspected:
     )
 
 
-def _read(side: str, path: Path) -> ImageLayers:
+def read(side: str, path: Path) -> ImageLayers:
+    """An engine's image. Raises EngineFailure where there is none to be read."""
     try:
         return read_image(path)
     except ImageError as error:

@@ -13,13 +13,14 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any, Literal, assert_never, overload
 
+from vitrail.base.changed import changed
 from vitrail.base.engine_name import EngineName
 from vitrail.geometry.world import World
 from vitrail.plan.analyse import analyse
 from vitrail.plan.budget import settings_for, settings_for_views
 from vitrail.plan.plan import Plan
 from vitrail.plan.settings import Quality, Settings
-from vitrail.plan.views import ObservationView, views_of
+from vitrail.plan.views import PICTURE_SAMPLES, ObservationView, for_people, views_of
 from vitrail.scene.load import Loaded
 from vitrail.scene.model import Scene
 
@@ -51,9 +52,24 @@ class Job:
         return replace(self, world=self.world.with_scene(scene))
 
     def with_views(self) -> Job:
-        """The same job with a view for every observed patch, and with the settings that go with views."""
+        """The same job with a view for every observed patch, and with the settings that go with views.
+
+        The scene's own picture is then for people, and for whoever looks for differences outside the patches.
+        """
         settings = settings_for_views(self.world, self.plan, self.settings.quality, **self.overrides)
-        return replace(self, settings=settings, views=views_of(self.world, self.plan, settings))
+        views = views_of(self.world, self.plan, settings)
+        image = for_people(self.scene.image)
+        return replace(self.with_scene(changed(self.scene, image=image)), settings=settings, views=views)
+
+    @property
+    def times(self) -> int:
+        """How many pixels the picture has for one that the file says, along an edge."""
+        return self.scene.image.width // self.loaded.scene.image.width
+
+    @property
+    def picture_settings(self) -> Settings:
+        """Those of the scene's own picture: where all is measured in views it is for people and has few samples."""
+        return changed(self.settings, samples=PICTURE_SAMPLES) if self.views else self.settings
 
     @overload
     def lowered(self, engine: Literal[EngineName.TRACER], *, wavelength_nm: float | None = None) -> dict[str, Any]: ...
@@ -71,11 +87,13 @@ class Job:
             case EngineName.TRACER:
                 from vitrail.lower.tracer import lower_tracer
 
-                return lower_tracer(self.world, self.plan, self.settings, wavelength_nm=wavelength_nm)
+                return lower_tracer(
+                    self.world, self.plan, self.picture_settings, views=self.views, wavelength_nm=wavelength_nm
+                )
             case EngineName.POVRAY:
                 from vitrail.lower.povray import lower_povray
 
-                return lower_povray(self.world, self.plan, self.settings, self.views)
+                return lower_povray(self.world, self.plan, self.picture_settings, self.views)
             case _:
                 assert_never(engine)
 

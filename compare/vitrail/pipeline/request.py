@@ -32,7 +32,7 @@ class Request:
     overrides: Mapping[str, object] = field(default_factory=dict)
     threads: int = 0
     jobs: int = 1
-    views: bool = False
+    views: bool = True
     rounds: int = 0
     budget_s: float = BUDGET_S
     references: Path | None = None

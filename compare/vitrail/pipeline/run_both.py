@@ -62,7 +62,8 @@ def _rendered(side: str, lowered: Any, place: Path, request: Request, progress: 
     for path in sorted(made.image_path.parent.rglob("*")):
         if path.is_file() and path.name != "record.json":
             _link(path, place / path.relative_to(made.image_path.parent))
-    return Rendering(place / made.image_path.name, made.record)
+    views = {name: place / path.name for name, path in made.views.items()}
+    return Rendering(place / made.image_path.name, made.record, views)
 
 
 def _link(source: Path, target: Path) -> None:

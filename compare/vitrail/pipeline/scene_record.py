@@ -45,6 +45,8 @@ def record_of_job(job: Job, name: str, request: Request) -> SceneResult:
         "plan": plan_records(job.plan),
         "settings": job.settings.as_record(),
         "warnings": job.plan.warnings,
+        "width": job.scene.image.width,
+        "height": job.scene.image.height,
     }
     return changed(record_of_scene(job.loaded, name, again), **planned)
 
@@ -58,6 +60,8 @@ def reproduce(path: Path, quality: str, request: Request) -> str:
     """The line that makes this scene's numbers again."""
     options = " ".join(f"--set {key}={value}" for key, value in sorted(request.overrides.items()))
     line = f"vitrail compare {path} --out out --quality {quality} {options}".rstrip()
+    if not request.views and "stored" not in request.against:
+        line += " --no-views"
     if request.against != ("povray",):
         line += f" --against {AGAINST[frozenset(request.against)]}"
     return line + (f" --inject-defect {request.defect.name}" if request.defect.name else "")

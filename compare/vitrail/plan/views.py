@@ -57,6 +57,16 @@ PARALLEL = 0.02
 """An up vector within this sine (1.1 degrees) of the line of sight says nothing about what is up."""
 
 
+PICTURE_WIDTH = 480
+"""Pixels across the scene's own picture at least, where it is for people."""
+
+LARGEST = 1024
+"""Pixels along one side at most, of a picture that is made finer than its scene says."""
+
+PICTURE_SAMPLES = 1
+"""Samples of a pixel in a picture for people: it has so many pixels that eyes average over them."""
+
+
 @dataclass(frozen=True)
 class ObservationView:
     """One picture for the observations of one patch. ``name`` is that of the first, as a file can be named."""
@@ -77,6 +87,12 @@ def views_of(world: World, plan: Plan, settings: Settings) -> tuple[ObservationV
     return tuple(
         _view(world, plan, settings, name, entries) for name, entries in zip(names, patches.values(), strict=True)
     )
+
+
+def for_people(image: Image) -> Image:
+    """The scene's own picture in so many pixels that people want to look at it; each becomes a square of pixels."""
+    times = max(min(math.ceil(PICTURE_WIDTH / image.width), LARGEST // max(image.width, image.height)), 1)
+    return changed(image, width=image.width * times, height=image.height * times)
 
 
 def _view(world: World, plan: Plan, settings: Settings, name: str, entries: Sequence[Observation]) -> ObservationView:
@@ -153,7 +169,7 @@ def _unmoved(camera: Camera, image: Image, patch: Patch, pixels: int) -> tuple[C
     edges = [2 * length(edge) * abs(_facing(view, patch, edge)) for edge in (patch.u, patch.v)]
     size = view.pixel_size_m(patch.center)
     across = max(edges) / size if size > 0 else pixels
-    finer = min(max(math.ceil(pixels / max(across, 1e-9)), 1), max(1024 // max(image.width, image.height), 1))
+    finer = min(max(math.ceil(pixels / max(across, 1e-9)), 1), max(LARGEST // max(image.width, image.height), 1))
     return camera, changed(image, width=image.width * finer, height=image.height * finer)
 
 

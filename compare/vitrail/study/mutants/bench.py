@@ -12,9 +12,8 @@ from vitrail.pipeline.about_run import about_run
 from vitrail.pipeline.compare import compare_scene
 from vitrail.pipeline.content_keys import povray_key, tracer_key
 from vitrail.pipeline.defect import Defect
-from vitrail.pipeline.job import prepare
 from vitrail.pipeline.judge import judge
-from vitrail.pipeline.lowered import lower
+from vitrail.pipeline.lowered import job_of, lower
 from vitrail.pipeline.request import Request
 from vitrail.pipeline.scene_run import SceneRun, SceneTask
 from vitrail.scene.load import Loaded, load
@@ -87,7 +86,7 @@ def clean_bench(folder: Path, out: Path) -> Bench:
 
 def content(loaded: Loaded, request: Request) -> tuple[str, str]:
     """What decides both images of a scene."""
-    lowered = lower(prepare(loaded, request.quality, request.overrides), request)
+    lowered = lower(job_of(loaded, request), request)
     return tracer_key("", lowered.tracer), povray_key("", lowered.povray)
 
 
