@@ -29,6 +29,15 @@ def test_every_layer_survives(tmp_path, picture):
     assert (image.width, image.height, image.pixel_type) == (11, 7, "float")
 
 
+def test_a_variance_that_is_not_written_is_that_of_the_halves(tmp_path, picture):
+    write_image(tmp_path / "a.exr", picture, half_a=picture * 0.5, half_b=picture * 1.5)
+    image = read_image(tmp_path / "a.exr")
+    np.testing.assert_array_equal(image.variance, (image.half_a - image.half_b) ** 2 / 4)
+    assert image.variance.max() > 0
+    write_image(tmp_path / "b.exr", picture)
+    assert read_image(tmp_path / "b.exr").variance is None
+
+
 def test_values_beyond_display_survive(tmp_path):
     odd = np.array([[[-1.5, 1e30, 1e-30], [np.nan, np.inf, 0.0]]], float)
     write_image(tmp_path / "odd.exr", odd)

@@ -11,6 +11,8 @@ namespace vitrail {
 inline constexpr double kPi = 3.14159265358979323846;
 inline double radians(double degrees) { return degrees * kPi / 180; }
 inline double degrees(double radians) { return radians * 180 / kPi; }
+/// What a film keeps of a radiance below 4 is off by at most half a step of a float.
+inline constexpr double kFilmRounding = 0x1p-23;
 /// atan2 and not acos: right for small angles too.
 inline double angle_between(Vec3 a, Vec3 b) { return std::atan2(length(cross(a, b)), dot(a, b)); }
 

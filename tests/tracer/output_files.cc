@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -27,22 +28,42 @@ std::string temporary(const std::string& name) { return ::testing::TempDir() + "
 
 TEST(Exr, HoldsPlannedLayersAndMetadata) {
   Film film(3, 2);
-  film.at(0, 1, 1)[Layer::diffusion] = {1, 2, 3};
-  film.at(1, 1, 1)[Layer::reflection] = {1, 1, 1};
+  film.add(0, 1, 1, Layer::diffusion, {1, 2, 3});
+  film.add(1, 1, 1, Layer::reflection, {1, 1, 1});
   Plan plan;
   plan.reflection = plan.caustic = plan.indirect_light = plan.total_internal_reflection = false;
   const std::string path = temporary("layers.exr");
   write_exr(path, film, plan, {{"vitrail:scene_hash", "abc123"}});
   const std::string bytes = text_of(path);
-  for (const char* name :
-       {"half_a.R", "half_b.B", "variance.G", "diffusion.R", "refraction.R", "vitrail:scene_hash", "abc123"}) {
+  for (const char* name : {"half_a.R", "half_b.B", "diffusion.R", "refraction.R", "vitrail:scene_hash", "abc123"}) {
     EXPECT_NE(bytes.find(name), std::string::npos) << name;
   }
   // Not planned, but not black either: without it the layers would not sum to the radiance.
   EXPECT_NE(bytes.find("reflection.R"), std::string::npos);
   EXPECT_EQ(bytes.find("caustic.R"), std::string::npos);
+  EXPECT_EQ(bytes.find("variance.R"), std::string::npos);  // a reader has it from the halves
   EXPECT_FALSE(std::filesystem::exists(path + ".unfinished"));
   std::filesystem::remove(path);
+}
+
+/// More rows than are written at once, each with a value of its own.
+TEST(Exr, HoldsEveryRowForAnyNumberOfThreads) {
+  constexpr int kRows = 600;
+  Film film(2, kRows);
+  for (int y = 0; y < kRows; ++y) {
+    for (int x = 0; x < 2; ++x) film.add(y % 2, x, y, Layer::diffusion, {1.0 + y, 2, 0.5 * y});
+  }
+  const std::string one = temporary("one.exr"), many = temporary("many.exr");
+  write_exr(one, film, Plan{}, {});
+  write_exr(many, film, Plan{}, {}, 3);
+  EXPECT_EQ(text_of(one), text_of(many));
+  const auto sky = read_sky(many);
+  for (int y = 0; y < kRows; ++y) {
+    const double from_above = M_PI * (y + 0.5) / kRows;
+    EXPECT_EQ(sky->towards({std::sin(from_above), std::cos(from_above), 0}), film.radiance(0, y)) << y;
+  }
+  std::filesystem::remove(one);
+  std::filesystem::remove(many);
 }
 
 TEST(Exr, ThatCannotBeWrittenIsAnOutputError) {
@@ -53,7 +74,7 @@ TEST(Exr, ThatCannotBeWrittenIsAnOutputError) {
 TEST(Exr, ReadsASky) {
   Film film(4, 2);
   for (int half = 0; half < 2; ++half) {
-    for (int x = 0; x < 4; ++x) film.at(half, x, 1)[Layer::diffusion] = {1.0 + x, 2, 3};
+    for (int x = 0; x < 4; ++x) film.add(half, x, 1, Layer::diffusion, {1.0 + x, 2, 3});
   }
   const std::string path = temporary("sky.exr");
   write_exr(path, film, Plan{}, {});

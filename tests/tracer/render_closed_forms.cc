@@ -37,7 +37,7 @@ TEST(GreyCard, UnderADirectionalLight) {
       builder.scene.lights.push_back({"sun", DirectionalLight{{0, -1, 0}, {1, 2, 3}, 0}});
       const Rgb found = rendered(builder.scene).film.radiance(2, 2);
       for (int c = 0; c < 3; ++c) {
-        EXPECT_NEAR(found[c], albedo * (c + 1) * std::cos(radians(tilt)) / kPi, 1e-15) << albedo << " " << tilt;
+        EXPECT_NEAR(found[c], albedo * (c + 1) * std::cos(radians(tilt)) / kPi, kFilmRounding) << albedo << " " << tilt;
       }
     }
   }
@@ -49,7 +49,7 @@ TEST(GreyCard, UnderAPointLight) {
     builder.scene.lights.push_back({"lamp", PointLight{{0, 2, 0}, {4, 8, 16}}});
     const Rgb found = rendered(builder.scene).film.radiance(2, 2);
     for (int c = 0; c < 3; ++c) {
-      EXPECT_NEAR(found[c], 0.5 * (1 << c) * std::cos(radians(tilt)) / kPi, 1e-15);
+      EXPECT_NEAR(found[c], 0.5 * (1 << c) * std::cos(radians(tilt)) / kPi, kFilmRounding);
     }
   }
 }
@@ -66,7 +66,7 @@ TEST(GreyCard, UnderWaterWithItsLampLosesLightOnBothWays) {
     builder.scene.plan.shadow = shadow;
     const Rgb found = rendered(builder.scene).film.radiance(2, 2);
     for (int c = 0; c < 3; ++c)
-      EXPECT_NEAR(found[c], 0.5 / kPi * std::exp(-water.absorption_per_m[c] * (2 + 10)), 1e-15) << c << shadow;
+      EXPECT_NEAR(found[c], 0.5 / kPi * std::exp(-water.absorption_per_m[c] * (2 + 10)), kFilmRounding) << c << shadow;
   }
 }
 
@@ -76,7 +76,7 @@ TEST(GreyCard, UnderAPointLightFallsWithTheCubeOfTheCosine) {
   builder.scene.lights.push_back({"lamp", PointLight{{0, 2, 0}, {4, 4, 4}}});
   const Rgb found = rendered(builder.scene).film.radiance(4, 2);
   const double cosine = 2 / std::hypot(2, 0.8);
-  EXPECT_NEAR(found.r, 0.5 / kPi * std::pow(cosine, 3), 1e-15);
+  EXPECT_NEAR(found.r, 0.5 / kPi * std::pow(cosine, 3), kFilmRounding);
 }
 
 /// Light on the far side of the card, and a card in the shadow of another, stay black.
@@ -97,9 +97,9 @@ TEST(Environment, LightsACardWithPi) {
   builder.scene.lights.push_back({"sky", EnvironmentLight{{1, 1, 1}, "", nullptr}});
   builder.scene.settings.samples = 64;
   const Rgb found = rendered(builder.scene).film.radiance(2, 2);
-  EXPECT_NEAR(found.r, 0.5, 1e-12);  // cosine-distributed samples of a constant: no noise
+  EXPECT_NEAR(found.r, 0.5, kFilmRounding);  // cosine-distributed samples of a constant: no noise
   builder.scene.objects.clear();
-  EXPECT_NEAR(rendered(builder.scene).film.radiance(2, 2).r, 1, 1e-15);
+  EXPECT_NEAR(rendered(builder.scene).film.radiance(2, 2).r, 1, kFilmRounding);
 }
 
 /// The penumbra of a sun: at the edge of a half-plane shadow the sun is half hidden.
@@ -160,7 +160,7 @@ TEST(Rod, ShowsItsEndThroughTotalReflectionsThatCountAsCrossings) {
 TEST(Slab, WithoutFresnelIsClear) { EXPECT_EQ(seen_through_slab(glass(1.5), 30), 1); }
 
 TEST(Slab, WithATintShowsItsSquare) {
-  for (double t : {0.9, 0.5, 0.1}) EXPECT_NEAR(seen_through_slab(glass(1.5, {t, t, t}), 20), t * t, 1e-15);
+  for (double t : {0.9, 0.5, 0.1}) EXPECT_NEAR(seen_through_slab(glass(1.5, {t, t, t}), 20), t * t, kFilmRounding);
 }
 
 TEST(Slab, BelongsToRefraction) {
@@ -177,7 +177,7 @@ TEST(Slab, HoldsTheCamera) {
   builder.add("slab", BoxShape{{-50, -1, -50}, {50, 1, 50}, {}}, builder.add(glass(1.5)));
   builder.scene.camera = looking_down(0, 0.1);
   builder.scene.plan.caustic = false;
-  EXPECT_NEAR(rendered(builder.scene).film.radiance(0, 0).r, 1.5 * 1.5, 1e-15);
+  EXPECT_NEAR(rendered(builder.scene).film.radiance(0, 0).r, 1.5 * 1.5, kFilmRounding);
 }
 
 /// Annulus means of the ball lens: gain over the light without the ball, from the density of the ray map [O 1.6].

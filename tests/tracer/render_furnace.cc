@@ -18,7 +18,7 @@ void expect_law(const Body& body, double tolerance, const std::function<double(d
       const double offset = offset_of(x, y), truth = offset < 1 ? law(offset) : 1;
       for (int c = 0; c < 3; ++c) {
         EXPECT_NEAR(film.radiance(x, y)[c], truth, tolerance) << name_of(body) << " at " << offset;
-        EXPECT_LE(film.radiance(x, y)[c], 1 + 1e-12) << name_of(body) << " at " << offset;
+        EXPECT_LE(film.radiance(x, y)[c], 1 + kFilmRounding) << name_of(body) << " at " << offset;
       }
     }
   }
@@ -46,9 +46,9 @@ TEST(Furnace, HidesWhatMirrorsAndTransmitsEverything) {
 TEST(Furnace, ShowsTheAlbedoOfWhatIsOpaque) {
   for (const BodyShares shares : {BodyShares{1, 0, 0}, BodyShares{0.4, 0.6, 0}, BodyShares{0.3, 0.2, 0}}) {
     for (const Roughness& roughness : kFaces) {
-      expect_law({shares, false, roughness, false}, 1e-12, [&](double) { return shares.d + shares.r; });
+      expect_law({shares, false, roughness, false}, kFilmRounding, [&](double) { return shares.d + shares.r; });
     }
-    expect_law({shares, true, NoRoughness{}, false}, 1e-12,
+    expect_law({shares, true, NoRoughness{}, false}, kFilmRounding,
                [&](double offset) { return shares.d + shares.r * mirror_share(offset); });
   }
   // A rough mirror with Fresnel has no such formula: some microfacets of the lobe, from nothing of .6 to all of it.
@@ -85,7 +85,7 @@ TEST(Furnace, IsDimmedWhereRoughGlassAbsorbs) {
         for (int y = 0; y < kSide; ++y) {
           for (int x = 0; x < kSide; ++x) {
             EXPECT_GE(film.radiance(x, y).r, 0);
-            EXPECT_LE(film.radiance(x, y).r, 1 + 1e-12);
+            EXPECT_LE(film.radiance(x, y).r, 1 + kFilmRounding);
             sum += film.radiance(x, y).r / (kSide * kSide);
           }
         }

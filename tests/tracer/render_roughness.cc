@@ -103,7 +103,7 @@ TEST(RoughBall, IsInvisibleInAFurnace) {
   EXPECT_NEAR(seen_in_a_furnace(Ggx{0.3}), 1, 2e-5);
 }
 
-TEST(RoughBall, GainsByTheLiteralSum) { EXPECT_NEAR(seen_in_a_furnace(Equation8{0.5}, true), 4.0 / 3, 1e-12); }
+TEST(RoughBall, GainsByTheLiteralSum) { EXPECT_NEAR(seen_in_a_furnace(Equation8{0.5}, true), 4.0 / 3, kFilmRounding); }
 
 TEST(RoughBall, OfRoughnessZeroIsTheSmoothOneToTheBit) {
   EXPECT_EQ(seen_in_a_furnace(Equation8{0}), seen_in_a_furnace(NoRoughness{}));

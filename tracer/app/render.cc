@@ -37,20 +37,21 @@ void read_skies(Scene& scene) {
   }
 }
 
-void write_picture(const std::string& path, const Scene& scene, const Picture& picture, const Film& film) {
+void write_picture(const std::string& path, const Scene& scene, const Picture& picture, const Film& film,
+                   unsigned threads) {
   std::map<std::string, std::string> metadata = {{"vitrail:scene_hash", scene.scene_hash},
                                                  {"vitrail:engine", "vitrail-tracer " VITRAIL_VERSION},
                                                  {"vitrail:settings", settings_json(scene, picture)}};
   if (!picture.view.empty()) metadata["vitrail:view"] = picture.view;
-  write_exr(path, film, scene.plan, metadata);
+  write_exr(path, film, scene.plan, metadata, threads);
 }
 
 // The scene's own picture, and the views in their folder.
-void write_pictures(const RenderOptions& options, const Scene& scene, const Rendering& rendering) {
-  write_picture(options.image, scene, scene.picture(), rendering.film);
+void write_pictures(const RenderOptions& options, const Scene& scene, const Rendering& rendering, unsigned threads) {
+  write_picture(options.image, scene, scene.picture(), rendering.film, threads);
   for (std::size_t v = 0; v < scene.views.size(); ++v) {
     const Picture& view = scene.views[v];
-    write_picture(options.views + "/" + view.view + ".exr", scene, view, rendering.views[v].film);
+    write_picture(options.views + "/" + view.view + ".exr", scene, view, rendering.views[v].film, threads);
   }
 }
 
@@ -65,7 +66,7 @@ int run_render(const RenderOptions& options) {
   ProgressLines progress(options.progress ? stderr : nullptr);
   const unsigned threads = thread_count(options.threads);
   const Rendering rendering = render(scene, {threads, progress});
-  write_pictures(options, scene, rendering);
+  write_pictures(options, scene, rendering, threads);
 
   // Say what was done.
   for (const std::string& warning : rendering.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());

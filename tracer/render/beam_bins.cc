@@ -6,6 +6,7 @@
 
 #include "render/camera.h"
 #include "render/first_hit.h"
+#include "render/pixel_sums.h"
 #include "render/polygon.h"
 
 namespace vitrail {
@@ -191,6 +192,7 @@ std::size_t deposit_blocks(const BeamMap& map) { return (map.size() + kBeamsPerB
 double deposit_beams(const World& world, const Picture& picture, const BeamMap& map, int half, const Workers& workers,
                      Film& film) {
   const std::size_t blocks = deposit_blocks(map);
+  PixelSums sums(film);
   double cpu_s = 0;
   std::vector<std::vector<Deposit>> deposits(kBlocksAtOnce);
   for (std::size_t begin = 0; begin < blocks && !workers.monitor.interrupted(); begin += kBlocksAtOnce) {
@@ -205,11 +207,10 @@ double deposit_beams(const World& world, const Picture& picture, const BeamMap& 
 
     // ... and add them up in their order on this one.
     for (const std::vector<Deposit>& of_block : deposits) {
-      for (const Deposit& deposit : of_block) {
-        film.at(half, deposit.x, deposit.y)[Layer::caustic] += deposit.radiance;
-      }
+      for (const Deposit& deposit : of_block) sums.add(deposit.x, deposit.y, deposit.radiance);
     }
   }
+  sums.develop(film, half, Layer::caustic);
   return cpu_s;
 }
 

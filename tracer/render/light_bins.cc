@@ -5,6 +5,7 @@
 
 #include "render/camera.h"
 #include "render/first_hit.h"
+#include "render/pixel_sums.h"
 
 namespace vitrail {
 namespace {
@@ -45,6 +46,7 @@ double deposit_in_pixels(const World& world, const Picture& picture, const Photo
                          const Workers& workers, Film& film) {
   const std::size_t blocks = deposit_blocks(map);
   const FirstHitFinder camera(world, picture);
+  PixelSums sums(film);
   double cpu_s = 0;
   std::vector<std::optional<Deposit>> deposits;
   for (std::size_t begin = 0; begin < blocks && !workers.monitor.interrupted(); begin += kBlocksAtOnce) {
@@ -60,9 +62,10 @@ double deposit_in_pixels(const World& world, const Picture& picture, const Photo
 
     // ... and add them up in their order on this one.
     for (const std::optional<Deposit>& deposit : deposits) {
-      if (deposit) film.at(half, deposit->x, deposit->y)[Layer::caustic] += deposit->radiance;
+      if (deposit) sums.add(deposit->x, deposit->y, deposit->radiance);
     }
   }
+  sums.develop(film, half, Layer::caustic);
   return cpu_s;
 }
 

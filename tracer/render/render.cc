@@ -9,6 +9,7 @@
 #include "photon/indirect_pass.h"
 #include "render/beam_bins.h"
 #include "render/light_bins.h"
+#include "render/pixel_sums.h"
 #include "render/tile.h"
 
 namespace vitrail {
@@ -143,6 +144,12 @@ void add_costs(const std::vector<Canvas>& canvases, Rendering& result) {
   }
 }
 
+std::uint64_t film_bytes(const Scene& scene, const Image& image) {
+  const bool has_sums = has_photon_pass(scene) && counts_in_pixels(scene);
+  return Film::predicted_bytes(image.width, image.height, planned_layers(scene.plan)) +
+         (has_sums ? PixelSums::predicted_bytes(image.width, image.height) : 0);
+}
+
 void refuse_what_cannot_work(const World& world) {
   const Scene& scene = world.scene;
   std::vector<Diagnostic> found;
@@ -195,8 +202,8 @@ Rendering render(const Scene& scene, const Workers& workers) {
 
 std::uint64_t predicted_bytes(const World& world) {
   const Scene& scene = world.scene;
-  std::uint64_t bytes = Film::predicted_bytes(scene.image.width, scene.image.height);
-  for (const Picture& view : scene.views) bytes += Film::predicted_bytes(view.image.width, view.image.height);
+  std::uint64_t bytes = film_bytes(scene, scene.image);
+  for (const Picture& view : scene.views) bytes += film_bytes(scene, view.image);
   if (has_photon_pass(scene)) {
     const double stored = stored_per_photon(world);
     const auto corners = static_cast<std::size_t>(stored * static_cast<double>(scene.settings.photons));

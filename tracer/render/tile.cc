@@ -46,7 +46,8 @@ class PixelRenderer {
         film_(film),
         statistics_(statistics),
         sampler_(world.scene, picture.samples),
-        tracer_(world) {}
+        tracer_(world),
+        media_(world.intersector.media_at(picture.camera.position)) {}
 
   void render(int x, int y, std::uint32_t pixel_in_tile, std::vector<GatherRequest>& requests) {
     const double share = 1.0 / sampler_.per_half;
@@ -66,8 +67,8 @@ class PixelRenderer {
       if (sampler_.per_half > 1) {
         for (Rgb& layer : sum.layers) layer = layer * share;
       }
-      film_.at(half, x, y) = sum;
-      if (sampler_.shared) film_.at(1, x, y) = sum;
+      film_.add(half, x, y, sum);
+      if (sampler_.shared) film_.add(1, x, y, sum);
     }
   }
 
@@ -77,15 +78,21 @@ class PixelRenderer {
     const auto pixel = static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(picture_.image.width) +
                        static_cast<std::uint64_t>(x);
     const auto [dx, dy] = sampler_.at(seed, pixel, half, sample);
-    CameraPath path;
+    CameraPath path{};
     path.ray = camera_ray(picture_.camera, picture_.image, x + dx, y + dy);
-    path.media = world_.intersector.media_at(path.ray.origin);
-    path.draw = {stream_of(seed, Purpose::kLightSample, pixel, static_cast<std::uint64_t>(half)),
-                 static_cast<std::uint32_t>(sample)};
-    path.rough = stream_of(seed, Purpose::kCameraRoughness, pixel, static_cast<std::uint64_t>(half));
-    path.gather = stream_of(seed, Purpose::kFinalGather, pixel, static_cast<std::uint64_t>(half));
+    const bool from_one_place = picture_.camera.kind == CameraKind::perspective;
+    path.media = from_one_place ? media_ : world_.intersector.media_at(path.ray.origin);
     path.half = half;
-    path.light_samples = std::max(1, kLightSamplesPerPixel / std::max(1, picture_.samples));
+    // Where nothing is random nothing is drawn.
+    if (!sampler_.shared) {
+      const auto stream = [&](Purpose purpose) {
+        return stream_of(seed, purpose, pixel, static_cast<std::uint64_t>(half));
+      };
+      path.draw = {stream(Purpose::kLightSample), static_cast<std::uint32_t>(sample)};
+      path.rough = stream(Purpose::kCameraRoughness);
+      path.gather = stream(Purpose::kFinalGather);
+      path.light_samples = std::max(1, kLightSamplesPerPixel / std::max(1, picture_.samples));
+    }
     tracer_.trace(path, result_);
     statistics_.counters.camera_rays += result_.rays;
     statistics_.counters.shadow_rays += result_.shadow_rays;
@@ -97,19 +104,24 @@ class PixelRenderer {
   TileStatistics& statistics_;
   PixelSampler sampler_;
   CameraTracer tracer_;
+  MediumSet media_;  // around the place where a perspective camera stands
   PathResult result_;
 };
 
 // Ask the photon maps, in the order in which the requests were made: neighbours share cells.
 void gather(const PhotonMaps& maps, const Tile& tile, const std::vector<GatherRequest>& requests, Film& film) {
-  const auto width = static_cast<std::uint32_t>(tile.x1 - tile.x0);
+  if (requests.empty()) return;
+  std::vector<std::array<Rgb, 2>> sums(requests.back().pixel + 1);
   for (const GatherRequest& request : requests) {
-    const int x = tile.x0 + static_cast<int>(request.pixel % width);
-    const int y = tile.y0 + static_cast<int>(request.pixel / width);
     for (int half = 0; half < 2; ++half) {
       if (!request.both_halves && half != request.half) continue;
-      film.at(half, x, y)[Layer::caustic] += request.weight * maps.irradiance(half, request.query);
+      sums[request.pixel][half] += request.weight * maps.irradiance(half, request.query);
     }
+  }
+  const auto width = static_cast<std::uint32_t>(tile.x1 - tile.x0);
+  for (std::uint32_t pixel = 0; pixel < sums.size(); ++pixel) {
+    const int x = tile.x0 + static_cast<int>(pixel % width), y = tile.y0 + static_cast<int>(pixel / width);
+    for (int half = 0; half < 2; ++half) film.add(half, x, y, Layer::caustic, sums[pixel][half]);
   }
 }
 

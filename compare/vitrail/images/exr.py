@@ -1,8 +1,8 @@
 """Read and write radiance images: OpenEXR with named layers. The only door to OpenImageIO.
 
-Channels: ``R G B`` radiance; ``half_a.* half_b.*`` two independent halves whose mean it is; ``variance.*`` of the mean;
-any other ``name.R name.G name.B`` is the layer of a phenomenon. What is in the file is returned as it is: sizes, NaN
-and 8-bit data are for the gates of the judge.
+Channels: ``R G B`` radiance; ``half_a.* half_b.*`` two independent halves whose mean it is; ``variance.*`` of the mean,
+left out where it is (half_a - half_b)^2 / 4; any other ``name.R name.G name.B`` is the layer of a phenomenon. What is
+in the file is returned as it is: sizes, NaN and 8-bit data are for the gates of the judge.
 """
 
 from __future__ import annotations
@@ -72,11 +72,15 @@ def read_image(path: str | Path) -> ImageLayers:
     finally:
         source.close()
     groups = _groups(path, np.asarray(pixels, np.float64), list(spec.channelnames))
+    half_a, half_b = groups.pop("half_a", None), groups.pop("half_b", None)
+    variance = groups.pop("variance", None)
+    if variance is None and half_a is not None and half_b is not None:
+        variance = (half_a - half_b) ** 2 / 4
     return ImageLayers(
         radiance=groups.pop(""),
-        half_a=groups.pop("half_a", None),
-        half_b=groups.pop("half_b", None),
-        variance=groups.pop("variance", None),
+        half_a=half_a,
+        half_b=half_b,
+        variance=variance,
         layers=groups,
         metadata={a.name: a.value for a in spec.extra_attribs if isinstance(a.value, str | int | float)},
         pixel_type=str(spec.format),
