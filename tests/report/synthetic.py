@@ -9,6 +9,7 @@ import numpy as np
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.images.display import Display
 from vitrail.images.exr import write_image, write_png
+from vitrail.images.false_colour import signed_difference
 from vitrail.judge.bound import worst
 from vitrail.judge.comparison import (
     AblationEntry,
@@ -43,6 +44,7 @@ from vitrail.judge.records import (
 )
 from vitrail.judge.statements import observation_statement, run_statement, scene_statement
 from vitrail.judge.verdict import Measured, Noise, decide, overall
+from vitrail.judge.view_record import ViewImage, ViewRecord
 
 WIDTH, HEIGHT = 96, 64
 OUTLINE = ((24.0, 36.0), (72.0, 36.0), (72.0, 60.0), (24.0, 60.0))
@@ -64,7 +66,7 @@ def compared(pair: Pair, metric: str, value: float, error: float, tolerance: flo
     return decide(measured, [part], 0.9998)
 
 
-def observation(flux: float, error: float) -> ObservationResult:
+def observation(flux: float, error: float, view: ViewRecord | None = None) -> ObservationResult:
     comparisons = (
         compared(Pair.TRACER_POVRAY, "flux_ratio.red", flux, error, 0.02),
         compared(Pair.TRACER_POVRAY, "profile_correlation", 0.999, 0.0, 0.01),
@@ -92,6 +94,7 @@ def observation(flux: float, error: float) -> ObservationResult:
         name="ring",
         phenomenon=Phenomenon.CAUSTIC,
         patch=PatchRecord(center=(0, 0, 0), u=(0.02, 0, 0), v=(0, 0, 0.01), outline_px=OUTLINE),
+        view=view,
         comparisons=comparisons,
         profiles=(profile,),
         verdict=verdict or comparisons[0].verdict,
@@ -120,6 +123,31 @@ def whereabouts(flux: float) -> Whereabouts:
     return Whereabouts(suspects=(Phenomenon.CAUSTIC,), reason=reason, ablations=(gone, dear), layers=layers)
 
 
+def close_up(place: Path, flux: float) -> ViewRecord:
+    """Write the pictures of the ring alone, of both sides and their difference, and return their record."""
+    shown, sides = (slice(30, 62), slice(24, 72)), []
+    pictures = {"tracer": picture(flux, 0)[shown], "povray": picture(1.0, 1)[shown]}
+    for side, radiance in pictures.items():
+        write_image(place / f"{side}.ring.exr", radiance)
+        write_png(place / f"{side}.ring.png", Display().apply(radiance))
+        sides.append(ViewImage(side=side, exr=f"{place.name}/{side}.ring.exr", png=f"{place.name}/{side}.ring.png"))
+    difference = signed_difference(pictures["tracer"], pictures["povray"], scale=0.1)
+    write_png(place / "difference.ring.png", difference)
+    return ViewRecord(
+        name="ring",
+        kind="perspective",
+        position=(0.0, 0.1, 0.2),
+        look_at=(0.0, 0.0, 0.0),
+        up=(0.0, 1.0, 0.0),
+        fov_deg=9.5,
+        width=48,
+        height=32,
+        samples=4,
+        images=tuple(sides),
+        difference_picture=f"{place.name}/difference.ring.png",
+    )
+
+
 def scene(folder: Path, name: str, title: str, flux: float, error: float) -> SceneResult:
     """Write the pictures of one scene and return its record."""
     place = folder / name
@@ -132,7 +160,7 @@ def scene(folder: Path, name: str, title: str, flux: float, error: float) -> Sce
         images.append(ImageFiles(side=side, exr=f"{name}/{side}.exr", png=f"{name}/{side}.png", content=f"{seed:064d}"))
     error_map = np.abs(picture(flux, 0) - picture(1.0, 1))
     write_image(place / "error.exr", error_map)
-    observed = observation(flux, error)
+    observed = observation(flux, error, close_up(place, flux))
     engines = tuple(
         EngineRun(engine=engine, version=version, cpu_s=cpu, photon_cpu_s=cpu / 2, gather_cpu_s=cpu / 4,
                   photons_emitted=100_000, photons_per_cpu_s=2e5 / cpu, settings={"seed": 1},

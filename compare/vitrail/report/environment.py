@@ -38,6 +38,7 @@ def pages() -> jinja2.Environment:
         "percent": page.percent,
         "phenomena": page.scene_phenomena,
         "plot": figures.profile_plot,
+        "points": page.points,
         "quantity": page.quantity,
         "row": page.row,
         "setting": page.setting,

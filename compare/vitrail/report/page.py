@@ -120,6 +120,11 @@ def unbroken(statement: str) -> str:
     return re.sub(r"(?<=\d) (?=(%|m|mm|µm)(\W|$))", "\u202f", statement)
 
 
+def points(outline: Iterable[tuple[float, float]]) -> str:
+    """Corners as SVG wants them."""
+    return " ".join(f"{x:g},{y:g}" for x, y in outline)
+
+
 def side_name(side: str) -> str:
     """The name of an image's maker as people write it."""
     return {"povray": "POV-Ray", "tracer": "Tracer", "truth": "Closed form", "stored": "Stored reference"}.get(
