@@ -55,6 +55,14 @@ def test_what_is_open_agrees_as_far_as_is_known() -> None:
     assert OPEN_PLACE.statement == "agrees to within 1.1 mm (95 %; tolerance 1.0 mm not yet shown at 99.99 %)"
 
 
+def test_what_95_percent_show_already_is_open_at_the_level_of_the_run() -> None:
+    nearly = number("flux_ratio.red", 0.004, 0.0025, 0.01)
+    assert nearly.bound is not None and nearly.bound.amount < nearly.tolerance
+    assert observation_statement(Phenomenon.CAUSTIC, [nearly]) == (
+        "The caustic agrees to within 0.90 % (tolerance 1.0 % not yet shown at the run's level) (95 %)."
+    )
+
+
 def test_a_deviation_is_said_before_the_agreement_beside_it() -> None:
     told = observation_statement(Phenomenon.CAUSTIC, [FLUX, FAR_FLUX, PLACE])
     assert told == ("The caustic deviates by 20 % (tolerance 1.0 %), its place agrees to within 0.50 mm (95 %).")

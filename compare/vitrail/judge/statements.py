@@ -142,7 +142,12 @@ def _tolerance(entry: Comparison) -> str:
 
 
 def _open(entry: Comparison) -> str:
-    return f" (tolerance {_tolerance(entry)} not yet shown)" if entry.verdict is Verdict.INCONCLUSIVE else ""
+    if entry.verdict is not Verdict.INCONCLUSIVE:
+        return ""
+    # At 95 % it may be shown already: the verdict asks for more.
+    is_shown_to_people = entry.bound is not None and entry.bound.amount <= entry.tolerance
+    level = " at the run's level" if is_shown_to_people else ""
+    return f" (tolerance {_tolerance(entry)} not yet shown{level})"
 
 
 def _sentence(clauses: Sequence[str], *, has_bound: bool) -> str:
