@@ -9,6 +9,7 @@ from playwright.sync_api import Page
 
 from tests.browser.conftest import Watched
 from tests.report.synthetic import HEIGHT, OUTLINE, WIDTH
+from vitrail.images.exr import read_image
 
 pytestmark = pytest.mark.browser
 
@@ -55,6 +56,24 @@ def test_the_patch_is_outlined_where_it_lies_in_the_scene(watched: Watched, repo
     assert (drawn["x"] + drawn["width"] - scene["x"]) / scene["width"] == pytest.approx(right, abs=0.02)
     assert (drawn["y"] - scene["y"]) / scene["height"] == pytest.approx(top, abs=0.02)
     assert (drawn["y"] + drawn["height"] - scene["y"]) / scene["height"] == pytest.approx(foot, abs=0.02)
+    watched.check()
+
+
+def test_a_close_up_is_flipped_and_probed_like_the_scene(watched: Watched, report: Path) -> None:
+    page = opened(watched, report, 1280)
+    page.get_by_role("button", name="Flip and probe it").click()
+    page.wait_for_function("VITRAIL.image('tracer.close.ring') && VITRAIL.image('povray.close.ring')")
+    assert "picture=ring" in page.url and page.locator("#picture").input_value() == "ring"
+    page.keyboard.press("ArrowRight")
+    assert page.locator("#probe").inner_text() == "pixel 25, 16", "one to the right of the middle of 48 x 32"
+    for side in ("tracer", "povray"):
+        stored = read_image(report / "apart" / f"{side}.ring.exr").radiance[16, 25]
+        cells = page.locator(f"#readout tr[data-side={side}] td")
+        assert [float(cells.nth(c).get_attribute("title") or "nan") for c in range(3)] == stored.tolist()
+    page.keyboard.press("5")
+    assert page.locator("[data-view=difference]").get_attribute("aria-checked") == "true"
+    page.locator("#picture").select_option("")
+    assert "picture" not in page.url and "pixel" not in page.url
     watched.check()
 
 

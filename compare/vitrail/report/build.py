@@ -74,13 +74,17 @@ def build_report(folder: Path) -> Path:
 
 @dataclass(frozen=True)
 class Viewer:
-    """What the page's viewer needs: ``data`` for its script, ``views`` to choose from, and the scripts of pixels."""
+    """What the page's viewer needs: ``data`` for its script, ``views`` to choose from, and the scripts of pixels.
+
+    ``pictures`` are those of observations, by name.
+    """
 
     data: dict[str, object]
     views: list[tuple[str, str, str]]
     layers: list[str]
     sides: list[str]
     scripts: list[str]
+    pictures: list[str]
 
 
 def _viewer(folder: Path, scene: SceneResult) -> Viewer | None:
@@ -109,6 +113,25 @@ def _viewer(folder: Path, scene: SceneResult) -> Viewer | None:
         "maps": {"heat": HEAT.tolist(), "signed": [COLD.tolist(), NEUTRAL.tolist(), HOT.tolist()]},
         "outlines": {entry.name: entry.patch.outline_px for entry in scene.observations},
     }
+    pictures = _pictures(folder, scene)
+    data["pictures"] = pictures
     views = [view for view in VIEWS if (view[0] != "error" or has_error) and (len(sides) > 1 or view[0] == "side")]
     names = list(dict.fromkeys(layer for layer, _, _ in layers))
-    return Viewer(data, views, names, sides, scripts)
+    return Viewer(data, views, names, sides, scripts, list(pictures))
+
+
+def _pictures(folder: Path, scene: SceneResult) -> dict[str, dict[str, object]]:
+    """The pictures of observations by name, with scripts that the page loads when somebody asks for them."""
+    found: dict[str, dict[str, object]] = {}
+    for view in (entry.view for entry in scene.observations if entry.view is not None):
+        if view.name not in found:
+            # A name of its own: an observation may be called as a layer is.
+            scripts = {
+                image.side: write_tiles(
+                    folder / scene.name, f"{image.side}.close.{view.name}", read_image(folder / image.exr).radiance
+                )
+                for image in view.images
+            }
+            outlines = {entry.name: view.outline_px for entry in scene.observations if entry.view == view}
+            found[view.name] = {"width": view.width, "height": view.height, "scripts": scripts, "outlines": outlines}
+    return found

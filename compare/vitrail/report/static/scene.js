@@ -6,8 +6,10 @@
   const element = document.getElementById("stage");
   const stage = new VITRAIL.Stage(element, data);
   const by = (id) => document.getElementById(id);
-  const views = [...document.querySelectorAll("[data-view]")];
-  const defaults = { against: data.sides[1], view: views[0].dataset.view, stops: data.stops, divider: 0.5, zoom: 1, x: data.width / 2, y: data.height / 2 };
+  const views = [...document.querySelectorAll(".views [data-view]")];
+  const defaults = { against: data.sides[1], view: views[0].dataset.view, stops: data.stops, divider: 0.5, zoom: 1, get x() { return frame().width / 2; }, get y() { return frame().height / 2; } };
+  /* The scene's own picture, or that of one observation. */
+  const frame = () => data.pictures[VITRAIL.get("picture")] ?? data;
   const set = (changes) => VITRAIL.set(changes, defaults);
   const number = (key) => {
     const value = Number(VITRAIL.get(key, defaults[key]));
@@ -20,15 +22,19 @@
   const isError = (view) => view === "difference" || view === "error";
 
   VITRAIL.onChange(() => {
-    const wanted = VITRAIL.get("view", defaults.view);
+    const picture = data.pictures[VITRAIL.get("picture")] ? VITRAIL.get("picture") : "";
+    const asked = VITRAIL.get("view", defaults.view);
+    /* Of a close-up there is no map of visible errors; its difference says the same. */
+    const wanted = picture && asked === "error" ? "difference" : asked;
     const view = views.some((button) => button.dataset.view === wanted) ? wanted : defaults.view;
     const stops = isError(view) ? Number(VITRAIL.get("scale", 0)) : number("stops");
     const against = VITRAIL.get("against");
     const pair = [data.sides[0], data.sides.includes(against) ? against : (data.sides[1] ?? data.sides[0])];
     const look = {
-      view, pair, stops, divider: number("divider"), falseColour: isOn("colour"), second: isOn("second"),
-      outlines: isOn("outlines"), patch: VITRAIL.get("patch"), layer: VITRAIL.get("layer"),
+      view, pair, stops, picture, divider: number("divider"), falseColour: isOn("colour"), second: isOn("second"),
+      outlines: isOn("outlines"), patch: VITRAIL.get("patch"), layer: picture ? "" : VITRAIL.get("layer"),
     };
+    if (picture) Object.values(data.pictures[picture].scripts).forEach((names) => VITRAIL.load(names));
     if (look.layer) data.sides.forEach((side) => VITRAIL.load(data.layers[`${side}.${look.layer}`]));
     stage.zoom = Math.min(Math.max(number("zoom"), 0.25), 256);
     stage.centre = [number("x"), number("y")];
@@ -52,7 +58,8 @@
     by("stops-value").textContent = `${look.stops > 0 ? "+" : ""}${String(look.stops).replace("-", "−")}`;
     by("false-colour").setAttribute("aria-pressed", String(look.falseColour));
     by("outlines").checked = look.outlines;
-    if (by("layer")) by("layer").value = look.layer;
+    if (by("layer")) Object.assign(by("layer"), { value: look.layer, disabled: look.picture !== "" });
+    if (by("picture")) by("picture").value = look.picture;
     if (by("against")) by("against").value = look.pair[1];
     by("zoom-value").textContent = `${Math.round(stage.zoom * 100)} %`;
     by("slider").hidden = look.view !== "slider";
@@ -112,7 +119,11 @@
   }
   const fit = () => set({ zoom: null, x: null, y: null, patch: null });
 
+  /* Another picture has its own pixels: what was zoomed and probed in the last one means nothing there. */
+  const show = (picture) => set({ picture, zoom: null, x: null, y: null, patch: null, pixel: null });
+
   function showPatch(name) {
+    if (VITRAIL.get("picture")) show("");
     const outline = data.outlines[name] ?? [];
     if (!outline.length) return;
     const [xs, ys] = [0, 1].map((axis) => outline.map((corner) => corner[axis]));
@@ -151,9 +162,9 @@
   const move = (dx, dy) => (event) => {
     if (event.target.closest("[role=radiogroup], input[type=range]")) return;
     const step = event.shiftKey ? 10 : 1;
-    const [x, y] = stage.probe ?? [Math.floor(data.width / 2), Math.floor(data.height / 2)];
+    const [x, y] = stage.probe ?? [Math.floor(frame().width / 2), Math.floor(frame().height / 2)];
     const hold = (value, size) => Math.min(Math.max(value, 0), size - 1);
-    probe([hold(x + dx * step, data.width), hold(y + dy * step, data.height)], true);
+    probe([hold(x + dx * step, frame().width), hold(y + dy * step, frame().height)], true);
   };
   const view = (index) => () => views[index] && set({ view: views[index].dataset.view });
   const expose = (by) => {
@@ -179,6 +190,11 @@
   by("outlines").addEventListener("change", () => toggle("outlines"));
   by("against")?.addEventListener("change", () => set({ against: by("against").value }));
   by("layer")?.addEventListener("change", () => set({ layer: by("layer").value }));
+  by("picture")?.addEventListener("change", () => show(by("picture").value));
+  document.querySelectorAll("[data-picture]").forEach((button) => button.addEventListener("click", () => {
+    show(button.dataset.picture);
+    element.scrollIntoView({ block: "center" });
+  }));
   by("zoom-in").addEventListener("click", () => zoom(1.5));
   by("zoom-out").addEventListener("click", () => zoom(1 / 1.5));
   by("fit").addEventListener("click", fit);

@@ -24,14 +24,20 @@ VITRAIL.Stage = class {
     this.redraw();
   }
 
+  /* The picture that is looked at: the scene's own, or that of an observation. */
+  get frame() {
+    return this.data.pictures[this.look?.picture] ?? this.data;
+  }
+
   name(side) {
+    if (this.look.picture) return `${side}.close.${this.look.picture}`;
     return this.look.layer && this.data.layers[`${side}.${this.look.layer}`] ? `${side}.${this.look.layer}` : side;
   }
 
   /* A picture of one side in the size of the image, made once for each look. */
   source(key) {
     if (this.sources.has(key)) return this.sources.get(key);
-    const { width, height } = this.data;
+    const { width, height } = this.frame;
     const canvas = Object.assign(document.createElement("canvas"), { width, height });
     const context = canvas.getContext("2d");
     const picture = context.createImageData(width, height);
@@ -111,7 +117,7 @@ VITRAIL.Stage = class {
 
   /* Screen pixels per image pixel at zoom 1: the whole image fits. */
   scale(canvas) {
-    return Math.min(canvas.width / this.data.width, canvas.height / this.data.height) * this.zoom;
+    return Math.min(canvas.width / this.frame.width, canvas.height / this.frame.height) * this.zoom;
   }
 
   draw(pane, pictures) {
@@ -130,12 +136,12 @@ VITRAIL.Stage = class {
       if (!picture) return;
       context.save();
       if (index === 1) {
-        const cut = x + this.look.divider * this.data.width * scale;
+        const cut = x + this.look.divider * this.frame.width * scale;
         context.beginPath();
         context.rect(cut, 0, canvas.width - cut, canvas.height);
         context.clip();
       }
-      context.drawImage(picture, x, y, this.data.width * scale, this.data.height * scale);
+      context.drawImage(picture, x, y, this.frame.width * scale, this.frame.height * scale);
       context.restore();
     });
     this.drawMarks(context, pictures, x, y, scale, ratio);
@@ -145,11 +151,11 @@ VITRAIL.Stage = class {
   drawMarks(context, pictures, x, y, scale, ratio) {
     context.lineWidth = ratio;
     if (pictures.length === 2) {
-      const cut = x + this.look.divider * this.data.width * scale;
+      const cut = x + this.look.divider * this.frame.width * scale;
       context.strokeStyle = "rgba(255,255,255,.9)";
       context.strokeRect(cut, 0, 0, context.canvas.height);
     }
-    for (const [name, outline] of Object.entries(this.data.outlines)) {
+    for (const [name, outline] of Object.entries(this.frame.outlines)) {
       if (!outline.length || !(this.look.outlines || this.look.patch === name)) continue;
       context.beginPath();
       outline.forEach(([px, py]) => context.lineTo(x + px * scale, y + py * scale));
@@ -181,7 +187,7 @@ VITRAIL.Stage = class {
     const scale = this.scale(pane.canvas) * (box.width / pane.canvas.width);
     const x = this.centre[0] + (event.clientX - box.left - box.width / 2) / scale;
     const y = this.centre[1] + (event.clientY - box.top - box.height / 2) / scale;
-    const inside = x >= 0 && y >= 0 && x < this.data.width && y < this.data.height;
+    const inside = x >= 0 && y >= 0 && x < this.frame.width && y < this.frame.height;
     return { x, y, scale, pixel: inside ? [Math.floor(x), Math.floor(y)] : null };
   }
 };
