@@ -198,5 +198,34 @@ TEST(Lathe, HasTheVolumeOfPappus) {
   }
 }
 
+/// A vase of many pieces is searched by runs of them. Begun at another corner it has other runs and the same surface:
+/// the hits have the same bits.
+TEST(Lathe, HasTheSameHitsWhereverItsProfileBegins) {
+  constexpr std::size_t kCorners = 150, kTurned = 37;
+  Profile profile;
+  for (std::size_t i = 0; i < kCorners; ++i) {
+    const double along = 2 * kPi * static_cast<double>(i) / kCorners;
+    profile.push_back({0.5 + 0.2 * std::cos(along) + 0.01 * std::cos(9 * along), 0.8 * std::sin(along)});
+  }
+  Profile turned_profile(profile.begin() + kTurned, profile.end());
+  turned_profile.insert(turned_profile.end(), profile.begin(), profile.begin() + kTurned);
+  const Lathe lathe({profile, turned()}), again({turned_profile, turned()});
+  TestNumbers numbers;
+  int met = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Vec3 direction =
+        i % 3 == 0 ? turned().direction_to_world({0, i % 2 == 0 ? 1.0 : -1.0, 0}) : numbers.direction();
+    const Ray ray{numbers.in_cube(0.8) - direction * 4, direction};
+    const std::vector<Event> found = events(lathe, ray), wanted = events(again, ray);
+    ASSERT_EQ(found.size(), wanted.size());
+    met += static_cast<int>(found.size());
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      EXPECT_EQ(found[k].t, wanted[k].t);
+      EXPECT_EQ(found[k].face, (wanted[k].face + kTurned) % kCorners);
+    }
+  }
+  EXPECT_GT(met, 10000);
+}
+
 }  // namespace
 }  // namespace vitrail

@@ -51,6 +51,42 @@ Lathe::Lathe(const LatheShape& shape) : axis_(shape.frame.direction_to_world({0,
   for (std::size_t i = 0; i < corners_.size(); ++i)
     turn += corners_[i].radius * after(i).height - after(i).radius * corners_[i].height;
   for (std::size_t i = 0; i < corners_.size(); ++i) pieces_.push_back(make_piece(corners_[i], after(i), turn));
+  add_run(0, static_cast<std::uint32_t>(pieces_.size()));
+}
+
+void Lathe::add_run(std::uint32_t first, std::uint32_t end) {
+  constexpr std::uint32_t kFew = 8;  // pieces that are looked at one after the other
+  Run run{first, end, 0, end - first <= kFew, corners_[first].height, corners_[first].height};
+  run.least_squared = run.most_squared = corners_[first].radius * corners_[first].radius;
+  for (std::uint32_t i = first; i < end; ++i) {
+    const auto [radius, height] = after(i);
+    run.low = std::min(run.low, height);
+    run.high = std::max(run.high, height);
+    run.least_squared = std::min(run.least_squared, radius * radius);
+    run.most_squared = std::max(run.most_squared, radius * radius);
+  }
+  const std::size_t place = runs_.size();
+  runs_.push_back(run);
+  if (!run.whole) {
+    const std::uint32_t middle = first + (end - first) / 2;
+    add_run(first, middle);
+    add_run(middle, end);
+  }
+  runs_[place].next = static_cast<std::uint32_t>(runs_.size());
+}
+
+// Whether find_cuts would find nothing among the pieces of a run: the line passes inside the circles of all corners, or
+// beside all of them and out of reach. Every step from a height to the line's place there keeps order, also rounded, so
+// that the corners between the ends of the run do as the ends say.
+bool Lathe::passes_by(const AxisLine& line, const Run& run) const {
+  if (line.climb == 0) return false;
+  const double missed = line.miss * line.miss;
+  const double a = line.across_at((run.low - line.height) / line.climb);
+  const double b = line.across_at((run.high - line.height) / line.climb);
+  const double farthest = std::max(std::abs(a), std::abs(b));
+  if (farthest * farthest + missed <= run.least_squared && run.least_squared > 0) return true;
+  const double nearest = (a < 0) == (b < 0) ? std::min(std::abs(a), std::abs(b)) : 0;
+  return nearest * nearest + missed > run.most_squared;
 }
 
 Lathe::Piece Lathe::make_piece(const Corner& a, const Corner& b, double turn) const {
@@ -130,14 +166,22 @@ void Lathe::find_cuts(const AxisLine& line, const Departure* left, std::vector<C
     const double nearest = level || !same_side ? 0 : std::min(std::abs(a.across), std::abs(b.across));
     return nearest * nearest + missed >= std::max(a.radius_squared, b.radius_squared);
   };
-  Passed before = pass(corners_[0]);
-  for (std::uint32_t face = 0; face < corners_.size(); ++face) {
-    const Passed next = pass(after(face));
-    const bool both = level ? before.beside != next.beside : before.beside && next.beside;
-    const bool reached = both ? !is_out_of_reach(before, next) : !level && before.beside != next.beside;
-    if (reached && !pieces_[face].on_axis)
-      cut_piece(line, face, both || before.beside, both || next.beside, departs_from(left, face), cuts);
-    before = next;
+  const auto look_at = [&](const Run& run) {
+    Passed before = pass(corners_[run.first]);
+    for (std::uint32_t face = run.first; face < run.end; ++face) {
+      const Passed next = pass(after(face));
+      const bool both = level ? before.beside != next.beside : before.beside && next.beside;
+      const bool reached = both ? !is_out_of_reach(before, next) : !level && before.beside != next.beside;
+      if (reached && !pieces_[face].on_axis)
+        cut_piece(line, face, both || before.beside, both || next.beside, departs_from(left, face), cuts);
+      before = next;
+    }
+  };
+  for (std::uint32_t i = 0; i < runs_.size();) {
+    const Run& run = runs_[i];
+    const bool skips = passes_by(line, run);
+    if (!skips && run.whole) look_at(run);
+    i = skips ? run.next : i + 1;
   }
   std::sort(cuts.begin(), cuts.end(), [](const Cut& x, const Cut& y) { return x.t < y.t; });
 }

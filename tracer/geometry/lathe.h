@@ -37,6 +37,18 @@ class Lathe {
     std::uint32_t face = 0;
   };
 
+  /// A run of pieces, and how far the circles of its corners reach. Runs lie in the order of their pieces, each before
+  /// the two halves that it is made of.
+  struct Run {
+    std::uint32_t first = 0, end = 0;            // pieces
+    std::uint32_t next = 0;                      // the run after this one and all its parts
+    bool whole = false;                          // its pieces are looked at, not its parts
+    double low = 0, high = 0;                    // heights
+    double least_squared = 0, most_squared = 0;  // of the radii
+  };
+
+  void add_run(std::uint32_t first, std::uint32_t end);
+  bool passes_by(const AxisLine& line, const Run& run) const;
   Piece make_piece(const Corner& a, const Corner& b, double turn) const;
   const Corner& after(std::size_t corner) const { return corners_[corner + 1 < corners_.size() ? corner + 1 : 0]; }
   void find_cuts(const AxisLine& line, const Departure* left, std::vector<Cut>& cuts) const;
@@ -45,7 +57,8 @@ class Lathe {
 
   std::vector<Corner> corners_;
   std::vector<Piece> pieces_;  // piece i begins at corner i
-  Vec3 middle_;                // on the axis, halfway up
+  std::vector<Run> runs_;
+  Vec3 middle_;  // on the axis, halfway up
   Vec3 axis_;
   double reach_ = 0;  // no corner is farther from the middle
 };
