@@ -45,18 +45,37 @@ AreaLight beam_onto(Vec3 point, Vec3 direction, double distance, double half) {
   return {RectangleShape{point - direction * distance, frame.u * half, frame.v * half}, true, {}, {1, 1, 1}};
 }
 
-/// The turn of a thin beam through a prism of 60 degrees, from where its photons fall on a screen.
-double prism_turn(double index, double incidence_deg) {
-  SceneBuilder builder;
+/// The turn of a thin beam through a prism of 60 degrees, from where its red photons fall on a screen.
+double prism_turn(SceneBuilder builder, const Material& matter, double incidence_deg) {
   const double rise = std::sqrt(3.0);
   const PrismShape prism{{{-0.5, -rise / 6}, {0.5, -rise / 6}, {0, rise / 3}}, 1, {}};
-  builder.add("prism", prism, builder.add(glass(index)));
+  builder.add("prism", prism, builder.add(matter));
   builder.add("screen", SphereShape{{0, 0, 0}, 1000}, builder.add(diffuse(0.5)));
   const double up = radians(incidence_deg - 30);
   const Vec3 way{std::cos(up), std::sin(up), 0};
   builder.scene.lights.push_back({"lamp", beam_onto({-0.25, rise / 12, 0}, way, 2, 0.01)});
   const Vec3 place = mean_position(photons_of(builder.scene, 1000).photons);
   return degrees(up - std::atan2(place.y, place.x));
+}
+
+double prism_turn(double index, double incidence_deg) { return prism_turn({}, glass(index), incidence_deg); }
+
+/// One of 100 bands is red; each photon follows every seventh, and the red ones turn as their band does.
+TEST(PrismByLight, TurnsEachOfManyBandsByItsDeviation) {
+  for (const std::size_t red : {0u, 37u, 99u}) {
+    SceneBuilder builder;
+    Material flint = glass(1.6);
+    flint.ior_by_band.clear();
+    flint.ior_minus_one_by_band.clear();
+    builder.scene.bands.clear();
+    for (std::size_t band = 0; band < 100; ++band) {
+      builder.scene.bands.push_back({"band", band == red ? Rgb{1, 0, 0} : Rgb{0, 1.0 / 99, 1.0 / 99}, {}});
+      flint.ior_minus_one_by_band.push_back(0.6 + 0.001 * static_cast<double>(band));
+      flint.ior_by_band.push_back(1 + flint.ior_minus_one_by_band.back());
+    }
+    const double index = flint.ior_by_band[red], incidence = degrees(std::asin(index / 2));
+    EXPECT_NEAR(prism_turn(builder, flint, incidence) / (2 * incidence - 60), 1, kHalfAPercent) << red;
+  }
 }
 
 /// Figure 8's bands, and SF10 at the lines C, d, e, F where it turns light least [O 1.5].

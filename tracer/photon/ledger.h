@@ -8,7 +8,7 @@ namespace vitrail {
 
 /// Watts per channel of all photons that met their target.
 struct Ledger {
-  Rgb emitted;    // left the light and met the object it was aimed at
+  Rgb emitted;    // left the light and met the object it was aimed at; of many bands, what the followed ones stand for
   Rgb stored;     // ended on a diffuse surface after at least one mirror or glass face
   Rgb absorbed;   // kept by a surface (1 - d - r - t, and d where nothing is stored) or by a medium
   Rgb escaped;    // left the scene

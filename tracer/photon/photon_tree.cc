@@ -33,17 +33,22 @@ void PhotonTree::arrive(LightVertex& photon, const Arrival& arrival) {
   }
 }
 
-// Give each band its weight of the flux; from here on it keeps its own index of refraction.
+// Give each band its weight of the flux, and that of the bands it stands for; from here on it keeps its own index of
+// refraction.
 void PhotonTree::split_bands(LightVertex& photon, const Arrival& arrival) {
   photon.path.band_chosen = true;
   const Rgb flux = photon.path.weight;
   const PathSignature signature = photon.signature;
-  for (std::uint32_t band = 0; band < scene_.bands.size(); ++band) {
+  const BandComb comb = combs_.of(photon.index);
+  Rgb taken;
+  for (std::uint32_t band = comb.first; band < scene_.bands.size(); band += comb.step) {
     photon.path.band = band;
-    photon.path.weight = flux * scene_.bands[band].weight;
+    photon.path.weight = flux * scene_.bands[band].weight * comb.step;
     photon.signature = in_band(signature, band);
+    taken += photon.path.weight;
     scatter(photon, arrival, interact(scene_, incidence_of(photon.path, arrival)));
   }
+  if (comb.step > 1) ledger_.emitted += taken - flux;
 }
 
 // Take one random direction at a rough face: the same mean as several weaker photons, and no multiplication of photons

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "photon/band_combs.h"
 #include "photon/landing.h"
 #include "photon/trace.h"
 
@@ -12,9 +13,16 @@ namespace vitrail {
 class PhotonTree {
  public:
   /// Where light ends goes into `landings`, the energy balance into `ledger`; both must outlive the tree.
-  /// `stream` scrambles the random choices of rough faces.
-  PhotonTree(const PhotonPass& pass, std::uint32_t target, Stream stream, LandingSink& landings, Ledger& ledger)
-      : pass_(pass), scene_(pass.scene), target_(target), stream_(stream), landings_(landings), ledger_(ledger) {}
+  /// `stream` scrambles the random choices of rough faces, `combs` chooses bands.
+  PhotonTree(const PhotonPass& pass, std::uint32_t target, Stream stream, LandingSink& landings, Ledger& ledger,
+             const BandCombs& combs = {})
+      : pass_(pass),
+        scene_(pass.scene),
+        target_(target),
+        stream_(stream),
+        landings_(landings),
+        ledger_(ledger),
+        combs_(combs) {}
 
   /// Follow every branch to its end. A photon that has not bounced counts only if it meets the target first.
   void follow(const LightVertex& start);
@@ -33,6 +41,7 @@ class PhotonTree {
   Stream stream_;
   LandingSink& landings_;
   Ledger& ledger_;
+  BandCombs combs_;
   std::vector<LightVertex> pending_;
 };
 

@@ -90,9 +90,10 @@ PhotonBlock trace_photons(const PhotonPass& pass, const Chart& chart, Stream str
   PhotonBlock block;
   block.photons.reserve(count);
   const Stream lots = within(stream, static_cast<std::uint64_t>(Purpose::kPhotonRoughness));
+  const BandCombs combs(pass.scene, chart, stream);
   const StartMedia media(pass);
   if (strategy == Strategy::automatic && PhotonWave::suits(pass.scene)) {
-    PhotonWave wave(pass, chart.target, lots, block);
+    PhotonWave wave(pass, chart.target, lots, combs, block);
     emit_block(chart, stream, first, count, [&](const EmissionColumns& columns, std::uint32_t index) {
       for (std::size_t i = 0; i < columns.count; ++i) {
         const Rgb power = power_of(columns, i);
@@ -106,7 +107,7 @@ PhotonBlock trace_photons(const PhotonPass& pass, const Chart& chart, Stream str
     wave.finish();
   } else {
     PhotonStore store(pass.frame, block);
-    PhotonTree tree(pass, chart.target, lots, store, block.ledger);
+    PhotonTree tree(pass, chart.target, lots, store, block.ledger, combs);
     emit_block(chart, stream, first, count, [&](const EmissionColumns& columns, std::uint32_t index) {
       for (std::size_t i = 0; i < columns.count; ++i) {
         const Rgb power = power_of(columns, i);

@@ -25,19 +25,21 @@ bool PhotonWave::suits(const Scene& scene) {
   return !drops_light_at_facets(scene) && !scene.paper.refraction_literal && SmallSceneIntersector::suits(scene);
 }
 
-PhotonWave::PhotonWave(const PhotonPass& pass, std::uint32_t target, Stream stream, PhotonBlock& block)
+PhotonWave::PhotonWave(const PhotonPass& pass, std::uint32_t target, Stream stream, const BandCombs& combs,
+                       PhotonBlock& block)
     : pass_(pass),
       scene_(pass.scene),
       target_(static_cast<std::int32_t>(target)),
       block_(block),
       objects_(pass.scene),
       store_(pass.frame, block),
-      tree_(pass, target, stream, store_, block.ledger),
+      tree_(pass, target, stream, store_, block.ledger, combs),
       met_(4 * pass.scene.objects.size()),
       rays_(std::make_unique<RayChunk>()),
       group_(std::make_unique<Group>()),
       lanes_(std::make_unique<DielectricLanes>()),
       lots_(stream),
+      combs_(combs),
       samples_(std::make_unique<RoughSamples>()),
       facets_(std::make_unique<FacetLanes>()) {
   for (std::uint32_t i = 0; i < scene_.objects.size(); ++i) {

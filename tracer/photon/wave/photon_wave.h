@@ -22,7 +22,7 @@ class PhotonWave {
  public:
   static bool suits(const Scene& scene);
 
-  PhotonWave(const PhotonPass& pass, std::uint32_t target, Stream stream, PhotonBlock& block);
+  PhotonWave(const PhotonPass& pass, std::uint32_t target, Stream stream, const BandCombs& combs, PhotonBlock& block);
 
   /// Take a photon as it leaves the light, in air or inside `media`; `index` of the photon in its chart.
   void add(const Ray& ray, Rgb flux, std::uint32_t index);
@@ -110,8 +110,10 @@ class PhotonWave {
   std::unique_ptr<DielectricLanes> lanes_;
   Part mirrored_, refracted_;
   Stream lots_;  // for rough faces
+  BandCombs combs_;
   std::unique_ptr<RoughSamples> samples_;
   std::unique_ptr<FacetLanes> facets_;
+  bool any_total_ = false;                                         // among the facets that were met last
   std::array<Stream, RayChunk::kCapacity> behind_, behind_facet_;  // more random numbers for each ray
 };
 

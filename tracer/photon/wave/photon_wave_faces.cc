@@ -66,17 +66,29 @@ void PhotonWave::stop(const Group& group) {
   block_.ledger.absorbed += absorbed;
 }
 
-// Give each band its weight at the first face that tells bands apart; from there on it keeps its own index.
+// Give each band its weight at the first face that tells bands apart, and that of the bands it stands for; from there
+// on it keeps its own index.
 void PhotonWave::divide_by_band(Group& group) {
   const auto flux = group.flux;
-  for (std::size_t b = 0; b < scene_.bands.size(); ++b) {
-    const Rgb weight = scene_.bands[b].weight;
+  const auto count = static_cast<std::uint32_t>(scene_.bands.size());
+  std::array<std::uint32_t, RayChunk::kCapacity> band;
+  for (std::size_t i = 0; i < group.count; ++i) band[i] = combs_.of(now_.state(group.lane[i]).index).first;
+  Rgb taken;
+  for (std::uint32_t done = 0; done < count; done += combs_.step()) {
     for (std::size_t i = 0; i < group.count; ++i) {
-      group.band[i] = static_cast<std::int16_t>(b);
+      const bool exists = band[i] < count;
+      const std::uint32_t own = exists ? band[i] : 0;
+      const Rgb weight = exists ? scene_.bands[own].weight * combs_.step() : Rgb{};
+      group.band[i] = static_cast<std::int16_t>(own);
       for (int c = 0; c < 3; ++c) group.flux[c][i] = flux[c][i] * weight[c];
+      taken += group.flux_of(i);
+      band[i] += combs_.step();
     }
     divide(group);
   }
+  if (combs_.step() == 1) return;
+  for (std::size_t i = 0; i < group.count; ++i) taken = taken - Rgb{flux[0][i], flux[1][i], flux[2][i]};
+  block_.ledger.emitted += taken;
 }
 
 // Find the ways on from a face between air and one glass, or on something opaque.

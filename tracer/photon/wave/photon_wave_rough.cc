@@ -46,8 +46,10 @@ void PhotonWave::divide_at_facets(const Group& group) {
   share_at_facets(group);
   mirrored_.direction = &facets.at.mirrored;
   refracted_.direction = &facets.at.refracted;
-  let_leave(group, mirrored_, false);
-  send(group, mirrored_);
+  if (face.mirrors || face.material->fresnel || any_total_) {
+    let_leave(group, mirrored_, false);
+    send(group, mirrored_);
+  }
   if (!face.transmits) return;
   let_leave(group, refracted_, true);
   send(group, refracted_);
@@ -69,8 +71,10 @@ void PhotonWave::share_at_facets(const Group& group) {
       refracted_.flux[c][i] = group.flux[c][i] * refracted;
     }
   }
+  any_total_ = false;
   for (std::size_t i = 0; i < group.count; ++i) {
     const bool total = is_total(group, i);
+    any_total_ = any_total_ | total;
     for (int a = 0; a < 3; ++a) at.refracted[a][i] = total ? at.mirrored[a][i] : at.refracted[a][i];
   }
 }
