@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from vitrail.base.phenomenon import Phenomenon
-from vitrail.judge.bound import reach, worst
+from vitrail.judge.bound import percent, reach, worst
 from vitrail.judge.comparison import Comparison, ObservationResult, Pair, PatchRecord, TolerancePart, Verdict
 from vitrail.judge.statements import observation_statement, run_statement, scene_statement
 from vitrail.judge.verdict import Measured, Noise, decide, overall
@@ -110,3 +110,8 @@ def test_a_bound_is_one_tolerance_wide_or_less_exactly_where_the_number_agrees(d
     assert entry.bound is not None and entry.bound.over_tolerance is not None
     assert (entry.bound.over_tolerance <= 1) is (entry.verdict is Verdict.AGREES)
     assert entry.bound.amount <= reach(entry.interval), "95 % is less than the run asks for"
+
+
+@pytest.mark.parametrize(("level", "words"), [(0.95, "95 %"), (0.99961352, "99.961 %"), (0.9999987, "99.99987 %")])
+def test_a_level_has_no_more_digits_than_it_needs(level: float, words: str) -> None:
+    assert percent(level) == words

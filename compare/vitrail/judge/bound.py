@@ -55,8 +55,10 @@ def number_statement(
 
 
 def percent(level: float) -> str:
-    """A level of confidence in a sentence."""
-    return f"{100 * level:.8g} %"
+    """A level of confidence in a sentence, with two digits of what is missing to certainty: 95 %, 99.961 %."""
+    decimals = max(0, math.ceil(-math.log10(100 * (1 - level))) + 1)
+    text = f"{100 * level:.{decimals}f}"
+    return f"{text.rstrip('0').rstrip('.') if '.' in text else text} %"
 
 
 def _width(bound: Bound) -> float:

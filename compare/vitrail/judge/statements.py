@@ -51,7 +51,7 @@ def scene_statement(observations: Sequence[ObservationResult]) -> str:
         pair = next(pair for pair in Pair if any(entry.pair is pair for entry in mine))
         told.append(_clause(_subject(phenomenon, pair), pair, _aspects([e for e in mine if e.pair is pair])))
     rest = [SUBJECTS[phenomenon] for phenomenon, _ in ranked[MOST_PHENOMENA:]]
-    return _sentence([*told, *([f"closer still: {', '.join(rest)}"] if rest else [])], has_bound=True)
+    return _sentence([*told, *([f"known more closely: {', '.join(rest)}"] if rest else [])], has_bound=True)
 
 
 def run_statement(counts: dict[str, int]) -> str:
