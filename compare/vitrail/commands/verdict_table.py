@@ -17,6 +17,7 @@ from vitrail.commands.comparison_sentence import sentence, where
 if TYPE_CHECKING:
     from vitrail.judge.comparison import Comparison, ObservationResult
     from vitrail.judge.records import Results, SceneResult
+    from vitrail.judge.scan_records import DifferentPlace
 
 COLOURS = {"agrees": "green", "deviates": "red", "inconclusive": "yellow"}
 MOST_NUMBERS = 3
@@ -54,6 +55,7 @@ def trouble(scene: SceneResult) -> list[str]:
         if observation.verdict.value == "deviates":
             lines += _numbers(scene, observation)
             lines += [f"  {escape(text)}" for text in where(observation)]
+    lines += [_place(scene, each) for each in places(scene) if each.deviates]
     if lines and scene.reproduce:
         lines.append(f"  again: {escape(scene.reproduce)}")
     return lines
@@ -66,9 +68,19 @@ def remaining(scene: SceneResult) -> list[str]:
         if observation.verdict.value == "inconclusive":
             lines += _numbers(scene, observation)
         lines += [f"  not measured: {escape(reason)}" for reason in observation.unmeasured]
+    lines += [_place(scene, each) for each in places(scene) if not each.deviates]
     if scene.more_samples is not None:
         lines.append(f"  [yellow]{escape(scene.name)}[/]: open: {escape(scene.more_samples.reason)}")
     return lines + [f"[yellow]{escape(scene.name)}[/]: remark: {escape(warning)}" for warning in scene.warnings]
+
+
+def places(scene: SceneResult) -> tuple[DifferentPlace, ...]:
+    """Where the scan of the whole picture found a difference that no patch holds."""
+    return () if scene.scan is None else tuple(each for each in scene.scan.places if not each.observations)
+
+
+def _place(scene: SceneResult, place: DifferentPlace) -> str:
+    return f"[{'red' if place.deviates else 'yellow'}]{escape(scene.name)}[/] {escape(place.words)}"
 
 
 def _numbers(scene: SceneResult, observation: ObservationResult) -> list[str]:

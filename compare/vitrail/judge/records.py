@@ -17,6 +17,7 @@ from vitrail.base.certificate_entry import CertificateEntry
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.base.record import Record, json_text, read_record, record_schema, write_record
 from vitrail.judge.comparison import Bound, ObservationResult, Pair, Verdict
+from vitrail.judge.scan_records import ScanResult
 
 RESULTS_VERSION: Literal[1] = 1
 
@@ -146,6 +147,7 @@ class SceneResult(Record):
     gates: tuple[Gate, ...] = ()
     global_metrics: tuple[GlobalMetric, ...] = ()
     observations: tuple[ObservationResult, ...] = ()
+    scan: ScanResult | None = None
     warnings: tuple[str, ...] = ()
     reproduce: str = ""
     verdict: Verdict | None = None

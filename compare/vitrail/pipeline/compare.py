@@ -13,6 +13,7 @@ from vitrail.engines.base import EngineFailure
 from vitrail.judge.observe import NothingToMeasure
 from vitrail.judge.records import Results, SceneResult, Status
 from vitrail.judge.references import references_folder
+from vitrail.judge.scan import scan_images
 from vitrail.judge.stored import Stored, read_stored
 from vitrail.lower.povray import NothingToEdit, NotTranslatable
 from vitrail.pipeline.ablate import search_whereabouts
@@ -72,7 +73,8 @@ def compare_scene(task: SceneTask, progress: Progress = silent) -> SceneRun:
             return SceneRun(record)
         name = loaded.path.stem
         measured = Measurements(job.scene, name, references, job.settings, images, stored, views, job.times)
-        record = changed(record, global_metrics=measured.whole_images())
+        scanned = scan_images(job.world, images, lowered.certificate.bound, place)
+        record = changed(record, global_metrics=measured.whole_images(), scan=scanned)
         return SceneRun(record, measured.observations(), lowered.certificate.bound, references)
     except NotTranslatable as refusal:
         return SceneRun(ended(record, Status.NOT_TRANSLATABLE, str(refusal)))

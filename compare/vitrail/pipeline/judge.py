@@ -27,6 +27,8 @@ def judge_scene(run: SceneRun, rules: Thresholds, level: float) -> SceneResult:
     judged = [judge_observation(each, rules, run.residual, level) for each in run.observed]
     observations = with_whereabouts(judged, run.search, rules, level)
     words = [each.verdict for each in observations] + [each.verdict for each in run.record.global_metrics]
+    if run.record.scan is not None:
+        words.append(run.record.scan.verdict)
     verdict = overall(words) if observations else None
     update: dict[str, object] = {
         "observations": observations,
