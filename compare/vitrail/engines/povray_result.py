@@ -127,8 +127,10 @@ def _settings(lowered: PovrayScene, outcomes: list[Outcome], view: str = "") -> 
 
 
 def _samples_used(lowered: PovrayScene, view: str) -> int:
-    """Samples of a pixel in one picture of a half image."""
-    return next(each.samples_across for each in lowered.runs[0].pictures if each.view == view) ** 2
+    """Samples of a pixel in one picture, of both halves; one place that both look at counts once."""
+    halves = {run.half: each for run in lowered.runs for each in run.pictures if each.view == view}
+    counts = [each.samples_across * each.samples_down for each in halves.values()]
+    return 1 if counts == [1, 1] else sum(counts)
 
 
 def _record(version: str, lowered: PovrayScene, outcomes: list[Outcome], threads: int, wall_s: float) -> dict[str, Any]:

@@ -98,7 +98,7 @@ class Executions:
             done = self._execute(picture.text, picture.width, picture.height, folder, f"{run.name}.{picture.view}")
             image = _image(folder / IMAGE, picture, done.output)
         _check_depth(run, done)
-        return Drawn(picture.view, _averaged(image, picture.samples_across), done)
+        return Drawn(picture.view, _averaged(image, picture.samples_across, picture.samples_down), done)
 
     @contextmanager
     def _folder(self, sky: SkyPicture | None) -> Iterator[Path]:
@@ -171,10 +171,10 @@ def _image(path: Path, picture: PovrayPicture, output: str) -> np.ndarray:
     return image
 
 
-def _averaged(image: np.ndarray, across: int) -> np.ndarray:
+def _averaged(image: np.ndarray, across: int, down: int) -> np.ndarray:
     """The pixels of a picture from its samples."""
-    height, width = image.shape[0] // across, image.shape[1] // across
-    return image.reshape(height, across, width, across, 3).mean(axis=(1, 3))
+    height, width = image.shape[0] // down, image.shape[1] // across
+    return image.reshape(height, down, width, across, 3).mean(axis=(1, 3))
 
 
 def _check_depth(run: PovrayRun, done: Execution) -> None:

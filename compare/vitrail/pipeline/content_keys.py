@@ -23,7 +23,9 @@ def povray_key(build: str, lowered: PovrayScene | None) -> str:
         return ""
     sums = [f"{run.name} {run.half} {run.gain}" for run in lowered.runs]
     sizes = [
-        f"{each.view} {each.width} {each.height} {each.samples_across}" for run in lowered.runs for each in run.pictures
+        f"{each.view} {each.width} {each.height} {each.samples_across} {each.samples_down}"
+        for run in lowered.runs
+        for each in run.pictures
     ]
     texts = [text for run in lowered.runs for text in run.texts.values()]
     return content_key("povray", build, [lowered.scene_hash, *sums, *sizes, *texts, str(lowered.settings)])

@@ -37,7 +37,7 @@ def glowing_balls(camera: str) -> Loaded:
 def test_balls_are_seen_where_the_scene_projects_them(kind: str) -> None:
     """The brightness-weighted middle of a ball's image; 0.05 pixels: its few hundred samples, and perspective."""
     loaded = glowing_balls(CAMERAS[kind])
-    image = rendered(loaded, samples=16).image.radiance
+    image = rendered(loaded, samples=32).image.radiance
     rows, columns = np.mgrid[0:60, 0:90] + 0.5
     for channel, point in enumerate(POINTS):
         seen = World.of(loaded).view.sight(point)

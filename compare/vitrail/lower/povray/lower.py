@@ -1,13 +1,13 @@
 """Back end for POV-Ray: the scene as a set of runs whose weighted images add up to the radiance, and a certificate.
 
-Two half images estimate the noise: they differ in the pattern of photons and of the small lights that stand for a lamp.
+Two half images estimate the noise: they differ in the pattern of photons and of the small lights that stand for a lamp,
+and in where they sample a pixel.
 Each half is one run, or one a channel where POV-Ray's photons would lose colour, or one a band of light. A run shoots
 its photons once and draws several pictures with them: the scene's own, then one for each view of an observation.
 """
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -19,7 +19,7 @@ from vitrail.lower.povray.certificate.certificate import Certificate
 from vitrail.lower.povray.certificate.residuals import certificate_of
 from vitrail.lower.povray.photons.light_factor import light_factor
 from vitrail.lower.povray.photons.photons import PhotonPass
-from vitrail.lower.povray.text.camera import HALF_SHIFTS
+from vitrail.lower.povray.sample_grid import half_grids
 from vitrail.lower.povray.text.exposure import Exposure
 from vitrail.lower.povray.text.modes import Mode
 from vitrail.lower.povray.text.printer import printed
@@ -38,7 +38,7 @@ from vitrail.scene.print import scene_hash
 class PovrayPicture:
     """One picture of a run: the scene's own, whose ``view`` is empty, or that of a view of an observation.
 
-    A pixel is the mean of a block of ``samples_across`` x ``samples_across`` pixels of what POV-Ray draws.
+    A pixel is the mean of a block of ``samples_across`` x ``samples_down`` pixels of what POV-Ray draws.
     """
 
     view: str
@@ -46,6 +46,7 @@ class PovrayPicture:
     width: int
     height: int
     samples_across: int
+    samples_down: int
 
     @cached_property
     def text(self) -> str:
@@ -133,7 +134,7 @@ def lower_povray(world: World, plan: Plan, settings: Settings, views: Sequence[O
 def _runs(translation: Translation, views: Sequence[ObservationView]) -> Iterator[PovrayRun]:
     """One run for each half image and exposure."""
     own, close = SceneText(translation), [(view, SceneText(seen_by(translation, view))) for view in views]
-    for half in HALF_SHIFTS:
+    for half in translation.lighting.halves:
         for shown in translation.mode.exposures:
             plain = replace(shown, half=half)
             yield _run(own, close, replace(plain, light_factor=light_factor(translation, plain)))
@@ -145,9 +146,9 @@ def _run(own: SceneText, close: Sequence[tuple[ObservationView, SceneText]], exp
     sky, settings = own.sky_picture(exposure), translation.settings
 
     def picture(text: SceneText, samples: int, view: str = "") -> PovrayPicture:
-        across, image = math.ceil(math.sqrt(samples)), text.translation.scene.image
-        scene = text.sdl(exposure, across, "load_file" if shoots else "", sky)
-        return PovrayPicture(view, scene, image.width * across, image.height * across, across)
+        grid, image = half_grids(samples)[half], text.translation.scene.image
+        scene = text.sdl(exposure, "load_file" if shoots else "", sky)
+        return PovrayPicture(view, scene, image.width * grid.across, image.height * grid.down, grid.across, grid.down)
 
     return PovrayRun(
         name="_".join(part for part in (half, exposure.name) if part),
@@ -156,7 +157,7 @@ def _run(own: SceneText, close: Sequence[tuple[ObservationView, SceneText]], exp
             picture(own, settings.samples),
             *(picture(text, view.samples, view.name) for view, text in close),
         ),
-        photon_scene=own.sdl(exposure, 1, "save_file", sky) if shoots else None,
+        photon_scene=own.sdl(exposure, "save_file", sky) if shoots else None,
         gain=exposure.gain,
         max_trace_level=translation.depth.level,
         depth_is_proven=translation.depth.is_proven,

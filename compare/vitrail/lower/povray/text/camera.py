@@ -7,50 +7,22 @@ keep their handedness, and only ``right`` says that the picture is seen by a rig
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
-from vitrail.base.vector import add, scale
+from vitrail.base.vector import scale
 from vitrail.geometry.camera import View
 from vitrail.lower.povray.bodies.normalise import Normalisation
 from vitrail.lower.povray.text.sdl import Block, block, statement, vector
 
 
-@dataclass(frozen=True)
-class SubpixelShift:
-    """An offset of every sample, in samples: right and up."""
-
-    right: float
-    up: float
-
-
-CENTRED = SubpixelShift(0.0, 0.0)
-HALF_SHIFTS = {"a": CENTRED, "b": CENTRED}
-"""Both half images sample a pixel at the same places: their difference is the noise of photons and lamps alone.
-
-Opposite shifts would make every gradient look like noise that cancels in the mean, fifty times too much on a caustic.
-"""
-
-
-def camera_sdl(view: View, samples_across: int, shift: SubpixelShift, units: Normalisation) -> Block:
-    """The camera of an image rendered ``samples_across`` times as wide and high as the scene's."""
+def camera_sdl(view: View, units: Normalisation) -> Block:
+    """The camera of the scene's picture, of whatever number of pixels."""
     half_height = view.half_height if view.perspective else units.length(2 * view.half_height) / 2
     half_width = half_height * (view.width / view.height)
     across, rise = scale(view.right, 2 * half_width), scale(view.up, 2 * half_height)
-    offset = add(
-        scale(across, shift.right / (view.width * samples_across)),
-        scale(rise, shift.up / (view.height * samples_across)),
-    )
-    location, direction = units.point(view.position), view.forward
-    # Turn a perspective camera's rays, move an orthographic camera's.
-    if view.perspective:
-        direction = add(direction, offset)
-    else:
-        location = add(location, offset)
     return block(
         "camera",
         statement("perspective" if view.perspective else "orthographic"),
-        statement("location", vector(location)),
-        statement("direction", vector(direction)),
+        statement("location", vector(units.point(view.position))),
+        statement("direction", vector(view.forward)),
         statement("right", vector(across)),
         statement("up", vector(rise)),
     )

@@ -8,7 +8,7 @@ from functools import cached_property
 
 from vitrail.base.colour import Triplet
 from vitrail.lower.povray.photons.radiosity import radiosity_sdl
-from vitrail.lower.povray.text.camera import HALF_SHIFTS, camera_sdl
+from vitrail.lower.povray.text.camera import camera_sdl
 from vitrail.lower.povray.text.exposure import Exposure
 from vitrail.lower.povray.text.lights import Source, light_sdl
 from vitrail.lower.povray.text.objects import ObjectText
@@ -31,13 +31,13 @@ class SceneText:
     def _objects(self) -> ObjectText:
         return ObjectText(self.translation)
 
-    def sdl(self, exposure: Exposure, samples_across: int, photon_file: str, sky: SkyPicture | None) -> SdlFile:
+    def sdl(self, exposure: Exposure, photon_file: str, sky: SkyPicture | None) -> SdlFile:
         """The tree; ``photon_file`` says what happens to the photon map, and without it there are no photons."""
         translation = self.translation
         bodies, is_shooting = translation.bodies, photon_file == "save_file"
         found = translation.photons
         photons = found.sdl(exposure.half, photon_file) if found is not None and photon_file else None
-        objects, shift = self._objects, HALF_SHIFTS[exposure.half]
+        objects = self._objects
         lights = translation.lighting.halves[exposure.half]
         return SdlFile(
             (
@@ -45,7 +45,7 @@ class SceneText:
                 self._globals(exposure, photons),
                 block("#default", block("finish", *DARK)),
                 self.background(exposure, sky),
-                camera_sdl(translation.world.view, samples_across, shift, translation.units),
+                camera_sdl(translation.world.view, translation.units),
                 *(light_sdl(source, exposure) for source in lights if _shines(source, exposure)),
                 *(
                     objects.sdl(index, shape, exposure, is_shooting)
