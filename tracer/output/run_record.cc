@@ -44,6 +44,24 @@ Json views_array(const Rendering& rendering) {
   return views;
 }
 
+// What beams do not hold: the light that went on as photons, and an estimate of what their rays do not see.
+Json beams_object(const BeamRemainder& remainder) {
+  return {{"as_photons", triplet(remainder.as_photons)}, {"unseen", triplet(remainder.unseen)}};
+}
+
+// By which solver the light of each lamp goes through each object.
+Json routes_array(const Scene& scene, const std::vector<LightRoute>& routes) {
+  Json all = Json::array();
+  for (const LightRoute& route : routes) {
+    all.push_back({{"light", scene.lights[route.light].name},
+                   {"object", scene.objects[route.target].name},
+                   {"as", route.by_beams ? "beams" : "photons"},
+                   {"torn", route.torn},
+                   {"because", route.because}});
+  }
+  return all;
+}
+
 // The most that was resident, as the system counts it for this program alone: getrusage would count in what the program
 // that started this one had resident at that moment.
 std::uint64_t peak_memory_bytes() {
@@ -86,6 +104,8 @@ std::string run_record_json(const Scene& scene, const Rendering& rendering, cons
                          {"gather_queries", counters.gather_queries}}},
                        {"views", views_array(rendering)},
                        {"ledger", ledger_object(rendering.ledger)},
+                       {"beams", beams_object(rendering.beam_remainder)},
+                       {"light_routes", routes_array(scene, rendering.routes)},
                        {"warnings", rendering.warnings},
                        {"interrupted", rendering.interrupted}};
   return record.dump(2) + "\n";

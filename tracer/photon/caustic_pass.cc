@@ -12,8 +12,9 @@ PhotonPass pass_of(const World& world, const Targets& targets) {
   return {world, {targets.surroundings.center}, targets.surroundings.radius};
 }
 
-// Trace the photons of all charts, and sort those of each half into a map.
-void make_photons(const PhotonPass& pass, const std::vector<Chart>& charts, const Workers& workers, PhotonMaps& maps) {
+// Trace the photons of all charts, and sort those of each half into a map, after those that are there already.
+void make_photons(const PhotonPass& pass, const std::vector<Chart>& charts, const Workers& workers, PhotonMaps& maps,
+                  PhotonBlocks photons) {
   const Settings& settings = pass.scene.settings;
   auto traced = trace_halves(plan_blocks(charts), "photon_pass", workers, [&](const ChartBlock& block) {
     const Stream stream = stream_of(settings.seed, Purpose::kEmissionPosition, block.chart, block.half);
@@ -22,7 +23,6 @@ void make_photons(const PhotonPass& pass, const std::vector<Chart>& charts, cons
 
   // Add the ledgers in the order of the blocks.
   PhotonStatistics& statistics = maps.statistics;
-  std::array<std::vector<std::vector<PhotonRecord>>, 2> photons;
   for (std::size_t half = 0; half < 2; ++half) {
     for (PhotonBlock& block : traced.half[half]) {
       statistics.ledger += block.ledger;
@@ -37,26 +37,44 @@ void make_photons(const PhotonPass& pass, const std::vector<Chart>& charts, cons
   });
 }
 
+// Where more of the light than this is between rays that part, beams cost more than photons and have their noise.
+constexpr double kMostTorn = 0.25;
+
+// Whether the light of a chart goes as beams.
+LightRoute route_of(const PhotonPass& pass, const Chart& chart) {
+  LightRoute route{chart.light, chart.target, false, 0, nullptr};
+  if (pass.scene.solver() != Solver::beams) {
+    route.because = "the solver takes photons";
+  } else if (const char* unfit = unfit_for_beams(pass.scene, chart)) {
+    route.because = unfit;
+  } else {
+    route.torn = BeamLattice(pass, chart, stream_of(pass.scene.settings.seed, Purpose::kPilot)).torn_share();
+    route.by_beams = route.torn <= kMostTorn;
+    route.because = route.by_beams ? "from each place of the light one ray, through smooth faces" : "its rays part";
+  }
+  return route;
+}
+
 }  // namespace
 
 PhotonMaps make_caustic_maps(const World& world, const Workers& workers) {
   const Scene& scene = world.scene;
   const Targets targets = find_targets(scene, world.intersector);
   const PhotonPass pass = pass_of(world, targets);
-  std::vector<Chart> photons = make_charts(scene, targets, scene.settings.photons / 2), beams;
 
   // Leave to beams what they can do.
-  if (scene.solver() == Solver::beams) {
-    const auto rest = std::stable_partition(photons.begin(), photons.end(),
-                                            [&](const Chart& chart) { return suits_beams(scene, chart); });
-    beams.assign(photons.begin(), rest);
-    photons.erase(photons.begin(), rest);
-  }
-
   PhotonMaps maps;
   maps.statistics.warnings = targets.warnings;
-  if (!beams.empty()) make_beams(pass, beams, workers, maps);
-  if (!photons.empty() || beams.empty()) make_photons(pass, photons, workers, maps);
+  std::vector<Chart> photons, beams;
+  for (const Chart& chart : make_charts(scene, targets, scene.settings.photons / 2)) {
+    const LightRoute route = route_of(pass, chart);
+    maps.statistics.routes.push_back(route);
+    (route.by_beams ? beams : photons).push_back(chart);
+  }
+
+  PhotonBlocks between_beams;
+  if (!beams.empty()) make_beams(pass, beams, workers, maps, between_beams);
+  make_photons(pass, photons, workers, maps, std::move(between_beams));
   maps.statistics.ledger = maps.statistics.ledger.scaled(0.5);
   return maps;
 }

@@ -10,16 +10,25 @@
 
 namespace vitrail {
 
+/// How the light of one lamp reaches its way through one object, and why.
+struct LightRoute {
+  std::uint32_t light, target;
+  bool by_beams;
+  double torn = 0;  // share of the light between rays that part; 0 if it was not tried
+  const char* because;
+};
+
 struct PhotonStatistics {
-  Ledger ledger;           // mean of the two halves, each of which carries the whole power; caustics only
-  Rgb at_discontinuities;  // W, the part of what the ledger says is truncated that fell between beams
+  Ledger ledger;            // mean of the two halves, each of which carries the whole power; caustics only
+  BeamRemainder remainder;  // of the light that went into beams, mean of the two halves
   std::uint64_t emitted = 0, stored = 0;
   double trace_cpu_s = 0, sort_cpu_s = 0;
+  std::vector<LightRoute> routes;  // caustics only
   std::vector<std::string> warnings;
 };
 
 /// Two maps from independent scramblings of the same light. Each alone estimates the irradiance; their difference is
-/// noise. With the solver `beams` each light is in one of the two kinds of map, else all are in `half`.
+/// noise. With the solver `beams` `half` has the lights that beams cannot do, and what no beam holds of the others.
 struct PhotonMaps {
   std::unique_ptr<PhotonMap> half[2];
   std::unique_ptr<BeamMap> beams[2];

@@ -34,18 +34,21 @@ std::optional<std::string> lost_share(const Ledger& ledger, Rgb lost) {
 }
 
 // Light that was still on its way when the limits of the scene ended it: the other engine may let it go on. And light
-// between two rays of a lattice that part, which no beam holds.
+// that takes other ways between the rays of a lattice than at them.
 void warn_of_truncated_light(const Scene& scene, const PhotonStatistics& statistics,
                              std::vector<std::string>& warnings) {
   const Ledger& ledger = statistics.ledger;
-  if (const auto share = lost_share(ledger, ledger.truncated - statistics.at_discontinuities)) {
+  if (const auto share = lost_share(ledger, ledger.truncated)) {
     warnings.push_back(*share + " of the photons' light was cut after " +
                        std::to_string(scene.transport.max_reflections) + " reflections or " +
                        std::to_string(scene.transport.max_transmissions) +
                        " transmissions; raise transport.max_reflections or max_transmissions");
   }
-  if (const auto share = lost_share(ledger, statistics.at_discontinuities)) {
-    warnings.push_back(*share + " of the photons' light fell between beams, where rays part; raise photons");
+  if (const auto share = lost_share(ledger, statistics.remainder.unseen)) {
+    warnings.push_back(
+        *share +
+        " of the photons' light takes ways between the rays of beams that these do not see; raise photons, or take the "
+        "solver light_bins");
   }
 }
 
@@ -65,6 +68,8 @@ LightMaps trace_light(const World& world, const Workers& workers, Rendering& res
     maps.caustic = make_caustic_maps(world, workers);
     const PhotonStatistics& statistics = maps.caustic.statistics;
     result.ledger = statistics.ledger;
+    result.beam_remainder = statistics.remainder;
+    result.routes = statistics.routes;
     add(statistics, result);
     warn_of_truncated_light(world.scene, statistics, result.warnings);
   }

@@ -6,7 +6,7 @@
 
 #include "base/workers.h"
 #include "geometry/world.h"
-#include "photon/ledger.h"
+#include "photon/photon_maps.h"
 #include "render/film.h"
 
 namespace vitrail {
@@ -34,6 +34,8 @@ struct Rendering {
   Film film;  // of the scene's own picture
   std::vector<RenderedView> views{};
   Ledger ledger{};
+  BeamRemainder beam_remainder{};
+  std::vector<LightRoute> routes{};
   CpuSeconds cpu_s{};
   Counters counters{};
   std::vector<std::string> warnings{};

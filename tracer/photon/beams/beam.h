@@ -9,6 +9,7 @@
 
 #include "base/vec3.h"
 #include "photon/ledger.h"
+#include "photon/photon_map.h"
 
 namespace vitrail {
 
@@ -25,12 +26,27 @@ struct Beam {
   float share;              // of the chart between the three rays
 };
 
+/// What beams do not hold of the light that lands.
+struct BeamRemainder {
+  Rgb as_photons;  // W, landed between rays whose signatures differ, or too wide apart: kept as photons, with their
+                   // noise
+  Rgb unseen;      // W, on paths that no corner of their cell takes, or that all corners take but not what is between
+                   // them: an estimate of the error, from rays through some cells
+
+  BeamRemainder& operator+=(const BeamRemainder& other) {
+    as_photons += other.as_photons;
+    unseen += other.unseen;
+    return *this;
+  }
+};
+
 /// What one block of a lattice leaves behind.
 struct BeamBlock {
   std::vector<BeamCorner> corners;
   std::vector<Beam> beams;
+  std::vector<PhotonRecord> photons;  // of the light that no beam holds
   Ledger ledger;
-  Rgb at_discontinuities;  // W, the part of what is truncated that landed between rays of different signatures
+  BeamRemainder remainder;
   std::uint64_t rays = 0;
 };
 

@@ -2,21 +2,21 @@
 /// Rays of one light on a lattice, and the beams between them.
 ///
 /// Rays that light sends on its way next to each other land next to each other, as long as they meet the same faces.
-/// Where they do not - at the edge of a lens, at the critical angle - the lattice is halved again and again, and what
-/// is left undecided at the end is counted as truncated. The error falls as the number of rays: with the square of the
-/// cells.
+/// Where they do not - at the edge of a lens, at the critical angle - the lattice is halved again and again, and the
+/// light of what is left undecided at the end goes as photons. The error falls as the number of rays: with the square
+/// of the cells.
 
 #include <memory>
 
 #include "light/light.h"
-#include "photon/beams/beam.h"
+#include "photon/beams/beam_tracer.h"
 #include "photon/trace.h"
 
 namespace vitrail {
 
-/// Whether the light of a chart can be followed as beams: from each place of the light one ray alone, through smooth
-/// faces.
-bool suits_beams(const Scene& scene, const Chart& chart);
+/// Why the light of a chart cannot be followed as beams, which need one ray alone from each place of the light, and
+/// smooth faces; nothing where it can.
+const char* unfit_for_beams(const Scene& scene, const Chart& chart);
 
 class BeamLattice {
  public:
@@ -27,13 +27,14 @@ class BeamLattice {
   std::uint64_t blocks() const;
   BeamBlock trace(std::uint64_t block) const;
 
+  /// The share of the light that lands between rays that part, from a few blocks.
+  double torn_share() const;
+
  private:
   const PhotonPass& pass_;
   const Chart& chart_;
-  std::uint32_t cells_;  // along each side of the chart, an even number
-  int halvings_;         // of a cell whose rays part
-
-  friend class BeamTracer;
+  Stream stream_;
+  LatticeShape shape_;
 };
 
 }  // namespace vitrail

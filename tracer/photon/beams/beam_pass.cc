@@ -14,7 +14,8 @@ struct LatticeBlock {
 
 }  // namespace
 
-void make_beams(const PhotonPass& pass, const std::vector<Chart>& charts, const Workers& workers, PhotonMaps& maps) {
+void make_beams(const PhotonPass& pass, const std::vector<Chart>& charts, const Workers& workers, PhotonMaps& maps,
+                PhotonBlocks& photons) {
   // Lay two lattices over each chart, apart by chance.
   std::vector<BeamLattice> lattices;
   std::vector<LatticeBlock> plan;
@@ -30,12 +31,14 @@ void make_beams(const PhotonPass& pass, const std::vector<Chart>& charts, const 
 
   // Add the ledgers in the order of the blocks.
   PhotonStatistics& statistics = maps.statistics;
-  for (const auto& blocks : traced.half) {
-    for (const BeamBlock& block : blocks) {
+  for (std::size_t half = 0; half < 2; ++half) {
+    for (BeamBlock& block : traced.half[half]) {
       statistics.ledger += block.ledger;
-      statistics.at_discontinuities += block.at_discontinuities * 0.5;
+      statistics.remainder.as_photons += block.remainder.as_photons * 0.5;
+      statistics.remainder.unseen += block.remainder.unseen * 0.5;
       statistics.emitted += block.rays;
-      statistics.stored += block.beams.size();
+      statistics.stored += block.beams.size() + block.photons.size();
+      photons[half].push_back(std::move(block.photons));
     }
   }
   statistics.trace_cpu_s += traced.cpu_s;
