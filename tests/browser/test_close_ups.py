@@ -85,3 +85,20 @@ def test_a_phone_shows_one_close_up_under_the_other_and_nothing_beside_the_scree
     assert len({box["x"] for box in boxes}) == 1 and all(box["width"] > 340 for box in boxes)
     assert page.evaluate("document.documentElement.scrollWidth") == 400
     watched.check()
+
+
+def test_what_differs_beside_the_patches_is_boxed_and_told(watched: Watched, report: Path) -> None:
+    page = opened(watched, report, 1280)
+    section = page.locator("#scan")
+    assert "40 pixels at the upper left, on `wall`, are 1.7 times brighter in the tracer" in section.inner_text()
+    assert "0.004" in section.inner_text() and "75 standard errors beyond" in section.inner_text()
+    picture = section.locator("img").bounding_box()
+    drawn = section.locator("rect.deviates").bounding_box()
+    assert picture is not None and drawn is not None
+    middle = [drawn["x"] + drawn["width"] / 2 - picture["x"], drawn["y"] + drawn["height"] / 2 - picture["y"]]
+    assert middle[0] / picture["width"] == pytest.approx(12.5 / WIDTH, abs=0.01)
+    assert middle[1] / picture["height"] == pytest.approx(8.5 / HEIGHT, abs=0.01)
+    assert "Outside the patches: 40 pixels" in page.locator(".summary .statement").inner_text()
+    page.goto((report / "alike" / "index.html").as_uri())
+    assert "No place differs beyond noise and certificate" in page.locator("#scan").inner_text()
+    watched.check()

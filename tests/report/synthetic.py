@@ -25,6 +25,7 @@ from vitrail.judge.comparison import (
     PatchRecord,
     Profile,
     TolerancePart,
+    Verdict,
     Whereabouts,
 )
 from vitrail.judge.exit_code import of_run, of_scene
@@ -42,6 +43,7 @@ from vitrail.judge.records import (
     Status,
     write_results,
 )
+from vitrail.judge.scan_records import DifferentPlace, ScanResult
 from vitrail.judge.statements import observation_statement, run_statement, scene_statement
 from vitrail.judge.verdict import Measured, Noise, decide, overall
 from vitrail.judge.view_record import ViewImage, ViewRecord
@@ -148,6 +150,23 @@ def close_up(place: Path, flux: float) -> ViewRecord:
     )
 
 
+def scanned(place: Path, flux: float) -> ScanResult:
+    """A scan of the whole picture; where the flux is far off it found a place beside the patch."""
+    write_png(place / "over_noise.png", signed_difference(picture(flux, 0), picture(1.0, 1), scale=0.1))
+    words = "outside the patches: 40 pixels at the upper left, on `wall`, are 1.7 times brighter in the tracer"
+    found = DifferentPlace(
+        x_px=12, y_px=8, width_px=10, height_px=4, pixels=40, object="wall", layer="caustic", tracer=0.004,
+        povray=0.0024, tolerance=0.0001, standard_error=2e-5, excess=75.0, deviates=True, words=words,
+    )  # fmt: skip
+    return ScanResult(
+        threshold=6.5,
+        false_alarm_rate=0.001,
+        picture=f"{place.name}/over_noise.png",
+        places=(found,) if flux > 1.2 else (),
+        verdict=Verdict.DEVIATES if flux > 1.2 else Verdict.AGREES,
+    )
+
+
 def scene(folder: Path, name: str, title: str, flux: float, error: float) -> SceneResult:
     """Write the pictures of one scene and return its record."""
     place = folder / name
@@ -190,10 +209,11 @@ def scene(folder: Path, name: str, title: str, flux: float, error: float) -> Sce
         differences={"error": f"{name}/error.exr"},
         global_metrics=(GlobalMetric(metric="ssim", value=0.987, unit="1", ideal=1.0, settings={"data_range": 1.0}),),
         observations=(observed,),
+        scan=scanned(place, flux),
         reproduce=f"vitrail compare scenes/{name}.yaml --out out --quality draft --seed 1",
         verdict=observed.verdict,
         bound=observed.bound,
-        statement=scene_statement([observed]),
+        statement=scene_statement([observed], scanned(place, flux)),
         exit_code=of_scene(Status.JUDGED, observed.verdict),
     )  # fmt: skip
 

@@ -12,6 +12,7 @@ from itertools import groupby
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.judge.bound import LEVEL, percent
 from vitrail.judge.comparison import Comparison, ObservationResult, Pair, Verdict, maker
+from vitrail.judge.scan_records import ScanResult
 from vitrail.metrics.plain_names import SUBJECTS, Measure, in_words, plain_name
 
 MOST_PHENOMENA = 3
@@ -38,8 +39,15 @@ def observation_statement(
     return _sentence(told, has_bound=bool(pairs))
 
 
-def scene_statement(observations: Sequence[ObservationResult]) -> str:
-    """A scene in one line: each phenomenon by its widest numbers, the widest phenomenon first."""
+def scene_statement(observations: Sequence[ObservationResult], scan: ScanResult | None = None) -> str:
+    """A scene in one line: each phenomenon by its widest numbers, then what the scan found to deviate elsewhere."""
+    beside = [place.words for place in scan.places if place.deviates] if scan is not None else []
+    more = f" {beside[0][:1].upper()}{beside[0][1:]}." if beside else ""
+    return _observed_statement(observations) + more
+
+
+def _observed_statement(observations: Sequence[ObservationResult]) -> str:
+    """Each phenomenon by its widest numbers, the widest phenomenon first."""
     entries = [entry for observation in observations for entry in observation.comparisons]
     first = next((pair for pair in Pair if any(entry.pair is pair for entry in entries)), None)
     if len(observations) == 1 or first is None:

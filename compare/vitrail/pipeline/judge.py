@@ -34,7 +34,7 @@ def judge_scene(run: SceneRun, rules: Thresholds, level: float) -> SceneResult:
         "observations": observations,
         "verdict": verdict,
         "bound": worst(entry for each in observations for entry in each.comparisons),
-        "statement": scene_statement(observations),
+        "statement": scene_statement(observations, run.record.scan),
     }
     if verdict is None:
         update |= {"status": Status.SCENE_ERROR, "message": "the scene observes nothing; add an `observe` entry"}

@@ -26,6 +26,7 @@ def pages() -> jinja2.Environment:
     found.filters |= {
         "agreement": paper_figures.agreement,
         "bar": figures.interval_bar,
+        "box": page.box,
         "by_pair": page.by_pair,
         "confidence": page.confidence,
         "cpu": page.cpu,

@@ -7,11 +7,13 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
+from markupsafe import Markup
 from pydantic import JsonValue
 
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.judge.comparison import Bound, Comparison, ObservationResult, Pair, Verdict
 from vitrail.judge.records import Results, SceneResult, Status
+from vitrail.judge.scan_records import DifferentPlace
 
 GLYPHS = {"agrees": "✓", "deviates": "✕", "inconclusive": "?", "unjudged": "–"}
 ORDER = ("unjudged", "deviates", "inconclusive", "agrees")
@@ -123,6 +125,13 @@ def unbroken(statement: str) -> str:
 def points(outline: Iterable[tuple[float, float]]) -> str:
     """Corners as SVG wants them."""
     return " ".join(f"{x:g},{y:g}" for x, y in outline)
+
+
+def box(place: DifferentPlace) -> Markup:
+    """The box of a place as attributes of an SVG rectangle, a little wider than the place."""
+    width, height = place.width_px + 4, place.height_px + 4
+    x, y = place.x_px + 0.5 - width / 2, place.y_px + 0.5 - height / 2
+    return Markup('x="{:g}" y="{:g}" width="{}" height="{}"').format(x, y, width, height)
 
 
 def side_name(side: str) -> str:
