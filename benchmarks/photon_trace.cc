@@ -71,6 +71,15 @@ void photons_through_rough_ball(benchmark::State& state, const Roughness& roughn
   scene.materials[1].roughness = roughness;
   trace(state, scene, strategy);
 }
+// One of 8 x 8 balls with Fresnel's shares, from above: light goes on from ball to ball.
+void photons_through_64_balls(benchmark::State& state, Strategy strategy) {
+  Scene scene = ball_lens(true);
+  for (int i = 1; i < 64; ++i)
+    scene.objects.push_back({"ball", 1, 0, SphereShape{{2.1 * (i % 8), 2, 2.1 * (i / 8)}, 1}});
+  trace(state, scene, strategy);
+}
+BENCHMARK_CAPTURE(photons_through_64_balls, automatic, Strategy::automatic);
+BENCHMARK_CAPTURE(photons_through_64_balls, one_by_one, Strategy::tree);
 BENCHMARK(photons_through_ball);
 BENCHMARK_CAPTURE(photons_through_rough_ball, equation_8, Equation8{0.3}, Strategy::automatic);
 BENCHMARK_CAPTURE(photons_through_rough_ball, ggx, Ggx{0.1}, Strategy::automatic);

@@ -150,6 +150,18 @@ Scene ball_of_bands(int count) {
   return builder.scene;
 }
 
+/// Sixty-four balls side by side, some of which touch: more objects than any vector of rays meets.
+TEST(PhotonWave, FollowsManyBallsAsTheGeneralWayDoes) {
+  SceneBuilder builder = floor_and_sun();
+  const auto clear = builder.add(glass(1.5, {0.9, 0.9, 0.9}, true));
+  for (int i = 0; i < 64; ++i) {
+    const double x = i % 8, z = i / 8;
+    builder.add("ball", SphereShape{{x, 1 + 0.1 * x, z}, i % 16 == 0 ? 0.6 : 0.4}, clear);
+  }
+  ASSERT_TRUE(PhotonWave::suits(builder.scene));
+  expect_the_same_light(builder.scene);
+}
+
 /// Each photon follows some of many bands, and both ways the same ones. Sixteen times as many branches are summed.
 TEST(PhotonWave, TakesTheBandsThatTheGeneralWayTakes) {
   for (const int bands : {17, 32, 100}) {

@@ -41,13 +41,22 @@ HWY_INLINE void enter(RayChunk& rays, std::size_t i, Doubles t, Mask entering, c
 // A ray that goes on inside a ball leaves at the far root; one that went away from it never comes back [O 2.14].
 void intersect_sphere(const SphereShape& sphere, std::int32_t object, RayChunk& rays) {
   const Doubles zero = broadcast(0), never = broadcast(kInfinity), radius = broadcast(sphere.radius);
+  const Doubles reach = broadcast(sphere.radius * sphere.radius * (1 + 0x1p-40));
+  const Doubles behind = broadcast(-sphere.radius * (1 + 0x1p-40));
   const Vec3Lanes center = broadcast(sphere.center);
   const Sides sides(object);
   for (std::size_t i = 0; i < static_cast<std::size_t>(rays.count); i += kWidth) {
     const Vec3Lanes ray = load(rays.direction, i), to_center = center - load(rays.origin, i);
     const Doubles closest_at = dot(to_center, ray);
     const Vec3Lanes offset = to_center - ray * closest_at;
-    const Doubles distance = hn::Sqrt(dot(offset, offset));
+    const Doubles distance_squared = dot(offset, offset);
+    const Mask inside = is_side(rays, i, sides.enters), outside = is_side(rays, i, sides.leaves);
+
+    // Leave out roots where every ray of the vector passes by, or has passed, by more than rounding: most do in a scene
+    // of many balls.
+    const Mask near = hn::And(distance_squared<reach, closest_at> behind);
+    if (hn::AllFalse(kDoubles, hn::Or(near, inside))) continue;
+    const Doubles distance = hn::Sqrt(distance_squared);
     const Doubles half_chord_squared = (radius - distance) * (radius + distance);
     const Mask meets = half_chord_squared > zero;
     const Doubles half_chord = hn::Sqrt(select(meets, half_chord_squared, zero));
@@ -56,7 +65,6 @@ void intersect_sphere(const SphereShape& sphere, std::int32_t object, RayChunk& 
     // Take the first root ahead, unless the ray departs from this very sphere.
     const Doubles ahead = select(in > zero, in, select(out > zero, out, never));
     const Doubles through = select(closest_at > zero, broadcast(2) * closest_at, zero);
-    const Mask inside = is_side(rays, i, sides.enters), outside = is_side(rays, i, sides.leaves);
     const Doubles t = select(inside, through, select(outside, never, select(meets, ahead, never)));
     enter(rays, i, t, hn::AndNot(inside, in > zero), sides);
   }

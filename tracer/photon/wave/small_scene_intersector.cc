@@ -24,14 +24,20 @@ void intersect_one_by_one(const Primitive& primitive, std::int32_t object, RayCh
   }
 }
 
+bool has_lanes(const Shape& shape) {
+  return std::holds_alternative<SphereShape>(shape) || std::holds_alternative<PlaneShape>(shape) ||
+         std::holds_alternative<RectangleShape>(shape) || std::holds_alternative<DiscShape>(shape);
+}
+
 }  // namespace
 
 bool SmallSceneIntersector::suits(const Scene& scene) {
-  if (scene.objects.size() > kMost) return false;
+  std::size_t others = 0;
   for (const Object& object : scene.objects) {
     if (std::holds_alternative<MeshShape>(object.shape)) return false;
+    others += has_lanes(object.shape) ? 0 : 1;
   }
-  return true;
+  return scene.objects.size() <= kMost && others <= kMostOthers;
 }
 
 SmallSceneIntersector::SmallSceneIntersector(const Scene& scene) {

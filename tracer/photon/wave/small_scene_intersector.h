@@ -12,7 +12,8 @@ namespace vitrail {
 
 class SmallSceneIntersector {
  public:
-  static constexpr std::size_t kMost = 32;
+  /// Objects with a loop of vector instructions (balls and flat shapes), and the others.
+  static constexpr std::size_t kMost = 256, kMostOthers = 32;
 
   /// Whether the scene is small enough and has no mesh.
   static bool suits(const Scene& scene);
