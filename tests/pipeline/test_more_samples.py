@@ -1,14 +1,21 @@
-"""How many more samples a scene in doubt is given."""
+"""What is bought for a number in doubt, in which order, and at what price."""
 
 from __future__ import annotations
+
+import math
 
 import pytest
 
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.judge.comparison import Comparison, ObservationResult, Pair, PatchRecord, TolerancePart, Verdict
+from vitrail.judge.noise_record import NoiseRecord
+from vitrail.judge.purchase import Purchase, price_score
 from vitrail.judge.records import EngineRun, SceneResult, Status
 from vitrail.judge.verdict import Measured, Noise, decide, overall
-from vitrail.pipeline.more_samples import LEAST, SAFETY, more, offer, price_s, wanted_factor
+from vitrail.judge.view_record import ViewRecord
+from vitrail.pipeline.basket import FINER, LEAST, MOST_PHOTONS, SAFETY, cheapest, levels
+from vitrail.pipeline.more_samples import offer, purchases
+from vitrail.pipeline.prices import price_s
 
 
 def compared(value: float, error: float) -> Comparison:
@@ -16,84 +23,151 @@ def compared(value: float, error: float) -> Comparison:
     return decide(Measured(Pair.TRACER_POVRAY, "flux", "1", value, 1.0, Noise(error)), [part], 0.95)
 
 
-def engine(seconds: dict[str, float], photons: int | None) -> EngineRun:
-    total = seconds["total"]
-    return EngineRun(engine="x", version="1", cpu_s=total, photons_stored=photons, record={"cpu_s": seconds})
-
-
-def scene(*comparisons: Comparison, engines: tuple[EngineRun, ...] = ()) -> SceneResult:
+def observation(name: str, *comparisons: Comparison, photons: float = 0.0, view: bool = True) -> ObservationResult:
+    """An observation in a view of its own, ``photons`` being their share in its noise."""
     verdict = overall(entry.verdict for entry in comparisons)
-    observation = ObservationResult(
-        name="spot",
+    eye = {"position": (0, 1, 0), "look_at": (0, 0, 0), "up": (0, 0, 1)}
+    return ObservationResult(
+        name=name,
         phenomenon=Phenomenon.CAUSTIC,
         patch=PatchRecord(center=(0, 0, 0), u=(1, 0, 0), v=(0, 0, 1)),
+        view=ViewRecord(name=name, kind="perspective", **eye, width=9, height=9, samples=4) if view else None,
+        noise=(NoiseRecord(side="povray", photons=photons, edges=(1 - photons) / 2, rays=(1 - photons) / 2),),
         comparisons=comparisons,
         verdict=verdict or Verdict.INCONCLUSIVE,
     )
+
+
+def engine(photons_s: float, **views_s: float) -> EngineRun:
+    """An engine whose photons and views took so many CPU seconds; it gathers apart from its camera, and never."""
+    views = [{"name": name, "cpu_s": {"camera": cpu_s, "gather": 1e-9}} for name, cpu_s in views_s.items()]
+    return EngineRun(engine="x", version="1", record={"cpu_s": {"photon_pass": photons_s}, "views": views})
+
+
+def scene(*observations: ObservationResult, engines: tuple[EngineRun, ...], name: str = "s", photons: int = 1000):
     return SceneResult(
-        name="s",
+        name=name,
         title="",
         source="",
         status=Status.JUDGED,
-        observations=(observation,),
-        verdict=verdict,
+        settings={"photons": photons, "samples": 4},
+        observations=observations,
+        verdict=overall(entry.verdict for entry in observations),
         engines=engines,
         exit_code=5,
     )
 
 
-def test_the_most_doubtful_number_asks() -> None:
-    little, much = compared(1.0, 0.008), compared(1.0, 0.015)
-    assert little.sample_factor is not None and much.sample_factor is not None
-    assert wanted_factor(scene(little, much)) == pytest.approx(SAFETY * much.sample_factor)
-    assert wanted_factor(scene(little)) == pytest.approx(SAFETY * little.sample_factor)
+OPEN = compared(1.0, 0.015)
+"""A number that needs a variance (1.96 * 0.015 / 0.01)^2 = 8.6 times smaller."""
+FACTOR = SAFETY * (1.959964 * 0.015 / 0.01) ** 2
+DEAR = compared(1.0, 0.1)
+"""One that needs 44 times as much."""
 
 
-def test_one_number_that_seems_to_deviate_decides_a_scene_and_asks_for_less() -> None:
-    much, off = compared(1.0, 0.1), compared(1.03, 0.015)
-    assert off.verdict is Verdict.INCONCLUSIVE and off.sample_factor is not None
-    assert wanted_factor(scene(much, off)) == pytest.approx(SAFETY * off.sample_factor)
+def test_a_number_says_how_much_smaller_its_variance_must_be() -> None:
+    found = levels(scene(observation("spot", DEAR, OPEN, compared(1.0, 0.001)), engines=(engine(1.0, spot=1.0),)))
+    assert found == {"spot": [pytest.approx(FACTOR), pytest.approx(400 / 9 * FACTOR)]}
+    nearly = observation("spot", compared(1.0, 0.00515))
+    assert levels(scene(nearly, engines=()))["spot"] == [LEAST]
+    # On the very edge no number of samples decides.
+    assert levels(scene(observation("spot", compared(1.01, 0.001)), engines=())) == {}
 
 
-def test_a_wish_is_never_for_less_than_twice_the_samples() -> None:
-    assert wanted_factor(scene(compared(1.0, 0.00515))) == LEAST
+def test_only_the_cause_of_the_noise_is_bought() -> None:
+    engines = (engine(1.0, spot=1.0),)
+    pixels = cheapest(scene(observation("spot", OPEN, photons=0.0), engines=engines), {"spot": FACTOR})
+    assert pixels is not None and pixels.photons == 1 and pixels.samples["spot"] == pytest.approx(FACTOR)
+    photons = cheapest(scene(observation("spot", OPEN, photons=1.0), engines=engines), {"spot": FACTOR})
+    assert photons is not None and photons.samples["spot"] == 1
+    assert FACTOR <= photons.photons <= FACTOR * FINER
 
 
-def test_a_price_grows_as_the_work_of_each_phase_does() -> None:
-    # Half of the time is rays and gathers, the rest photons: eight times both, and four times the photons a gather.
-    gathers = engine({"total": 2.0, "photon_pass": 1.0, "camera": 0.25, "gather": 0.75}, photons=1000)
-    assert price_s([gathers], 8.0) == pytest.approx(8 + 8 * 4)
-    assert price_s([gathers], 8.0, fixed_samples=True) == pytest.approx(8 + 4)
-    assert price_s([engine({"total": 2.0, "camera": 1.5}, photons=None)] * 2, 8.0) == pytest.approx(2 * 16)
+def test_two_causes_are_paid_where_they_are_cheapest() -> None:
+    """With w / p + (1 - w) / s = 1 / f and the price a p + b s the least is at s / p = sqrt((1 - w) a / (w b))."""
+    for photons_s, view_s in ((1.0, 1.0), (0.05, 5.0), (5.0, 0.05)):
+        doubtful = scene(observation("spot", OPEN, photons=0.5), engines=(engine(photons_s, spot=view_s),))
+        found = cheapest(doubtful, {"spot": FACTOR})
+        ratio = math.sqrt(photons_s / view_s)
+        best = FACTOR * 0.5 * (1 + 1 / ratio) * photons_s + FACTOR * 0.5 * (1 + ratio) * view_s
+        assert found is not None
+        # Photons are tried in steps of 19 %, of which the price feels a half at most.
+        assert best <= found.price_s <= 1.1 * best
+        assert 0.5 / found.photons + 0.5 / found.samples["spot"] <= 1 / FACTOR * (1 + 1e-12)
+
+
+def test_samples_that_a_scene_fixes_are_not_raised() -> None:
+    engines = (engine(1.0, spot=1.0),)
+    photons = scene(observation("spot", OPEN, photons=1.0), engines=engines)
+    assert cheapest(photons, {"spot": FACTOR}, fixed_samples=True) is not None
+    pixels = scene(observation("spot", OPEN, photons=0.5), engines=engines)
+    assert cheapest(pixels, {"spot": FACTOR}, fixed_samples=True) is None
+
+
+def test_more_photons_than_a_machine_holds_are_never_bought() -> None:
+    doubtful = scene(observation("spot", OPEN, photons=1.0), engines=(engine(1.0, spot=1.0),), photons=MOST_PHOTONS)
+    assert cheapest(doubtful, {"spot": FACTOR}) is None
+    wish = offer(doubtful, 60.0, 60.0)
+    assert wish is not None and not wish.affordable and "more than a machine holds" in wish.reason
+
+
+def test_a_price_counts_photons_once_and_every_view_that_is_looked_at() -> None:
+    run = engine(2.0, spot=1.0, wall=10.0)
+    assert price_s([run, run], 3.0, {"spot": 4.0}) == pytest.approx(2 * (2 * 3 + 4))
+    gathers = EngineRun(
+        engine="x",
+        version="1",
+        photons_stored=9,
+        record={"cpu_s": {}, "views": [{"name": "spot", "cpu_s": {"camera": 1.0, "gather": 2.0, "total": 3.5}}]},
+    )
+    # Eight times the photons are four times as many in a disc; half a second is the start of the program.
+    assert price_s([gathers], 8.0, {"spot": 2.0}) == pytest.approx(0.5 + 2 * (1 + 2 * 4))
+    plain = EngineRun(engine="x", version="1", record={"cpu_s": {"camera": 3.0, "gather": 0.0}})
+    assert price_s([plain], 1.0, {"": 2.0}) == pytest.approx(6.0)
+
+
+def test_the_cheapest_decisions_of_all_scenes_come_first() -> None:
+    cheap = scene(observation("spot", OPEN, DEAR), engines=(engine(0.0, spot=1.0),), name="cheap")
+    dear = scene(observation("spot", OPEN), engines=(engine(0.0, spot=20.0),), name="dear")
+    sure = scene(observation("spot", compared(1.0, 0.001)), engines=(engine(0.0, spot=1.0),), name="sure")
+    one = purchases([dear, cheap, sure], 12.0)
+    assert list(one) == ["cheap"] and one["cheap"].numbers == 1
+    assert one["cheap"].samples == {"spot": math.ceil(4 * FACTOR)}
+    assert one["cheap"].predicted_s == pytest.approx(FACTOR)
+    # What is left buys the next number of the one, or the first of the other: 20 f is less than 43 f more.
+    two = purchases([dear, cheap, sure], 22 * FACTOR)
+    assert {name: each.numbers for name, each in two.items()} == {"cheap": 1, "dear": 1}
+    every = purchases([dear, cheap, sure], 1000 * FACTOR)
+    assert {name: each.numbers for name, each in every.items()} == {"cheap": 2, "dear": 1}
+    assert purchases([dear, cheap, sure], 1.0) == {}
+
+
+def test_views_of_a_scene_share_the_photons_that_are_bought() -> None:
+    both = [observation(name, OPEN, photons=1.0) for name in ("spot", "wall")]
+    found = purchases([scene(*both, engines=(engine(10.0, spot=1.0, wall=1.0),))], 1e6)["s"]
+    assert found.numbers == 2 and set(found.samples) == {"spot", "wall"}
+    assert found.predicted_s < 10 * FACTOR * FINER + 3
 
 
 def test_what_is_too_dear_is_priced_and_not_bought() -> None:
-    doubtful = scene(compared(1.0, 0.015), engines=(engine({"total": 1.0, "camera": 1.0}, photons=None),))
-    factor = wanted_factor(doubtful) or 0.0
-    rich, poor = offer(doubtful, factor, 60.0), offer(doubtful, 0.99 * factor, 60.0)
-    assert rich is not None and rich.affordable and rich.cpu_s == pytest.approx(factor)
+    doubtful = scene(observation("spot", OPEN), engines=(engine(0.0, spot=1.0),))
+    rich, poor = offer(doubtful, FACTOR + 1, 60.0), offer(doubtful, FACTOR - 1, 60.0)
+    assert rich is not None and rich.affordable and rich.cpu_s == pytest.approx(FACTOR)
     assert poor is not None and not poor.affordable
-    assert f"about {factor:.0f} times the samples would decide, for about {factor:.0f} CPU s more" in poor.reason
-    assert "of the 60 CPU s" in poor.reason
+    assert "to decide 1 of 1 open numbers takes 1 times the photons and 11 in spot times the samples" in poor.reason
+    assert "about 11 CPU s more" in poor.reason
+    assert "of the 60 CPU s of this run" in poor.reason
 
 
 def test_what_no_number_of_samples_decides_says_so() -> None:
-    edge = offer(scene(compared(1.01, 0.001)), 60.0, 60.0)
+    edge = offer(scene(observation("spot", compared(1.01, 0.001)), engines=()), 60.0, 60.0)
     assert edge is not None and not edge.affordable and edge.factor is None and "cannot decide" in edge.reason
-    assert offer(scene(compared(1.0, 0.001)), 60.0, 60.0) is None
+    assert offer(scene(observation("spot", compared(1.0, 0.001)), engines=()), 60.0, 60.0) is None
 
 
-def test_what_is_decided_asks_for_nothing() -> None:
-    assert wanted_factor(scene(compared(1.0, 0.001))) is None
-    assert wanted_factor(scene(compared(1.5, 0.001))) is None
-    # On the very edge no number of samples decides.
-    assert wanted_factor(scene(compared(1.01, 0.001))) is None
+def test_prices_are_scored_by_a_factor_of_two() -> None:
+    def paid(seconds: float | None) -> Purchase:
+        return Purchase(samples={"spot": 8}, photons=0, numbers=1, predicted_s=10.0, paid_s=seconds)
 
-
-def test_only_kinds_of_work_that_the_scene_has_are_raised() -> None:
-    assert more({"samples": 4, "photons": 0, "seed": 1}, 3.0) == {"samples": 12}
-    assert more({"samples": 4, "photons": 1000}, 2.5) == {"samples": 10, "photons": 2500}
-
-
-def test_samples_that_the_scene_fixes_stay_as_they_are() -> None:
-    assert more({"samples": 1, "photons": 1000}, 2.0, fixed_samples=True) == {"photons": 2000}
+    score = price_score([paid(5.0), paid(20.0), paid(20.1), paid(4.9), paid(None)])
+    assert (score.bought, score.close, score.predicted_s, score.paid_s) == (4, 2, 40.0, 50.0)

@@ -43,11 +43,13 @@ class NoisyEngine(FormulaEngine):
 
     def render(self, lowered, out_dir, *, threads=0, progress=None):  # type: ignore[no-untyped-def,override]
         rng = np.random.default_rng(lowered["settings"]["seed"])
-        halves = [0.5 * (1 + 0.1 * rng.standard_normal((32, 32, 3))) for _ in "ab"]
-        path = Path(out_dir) / "tracer.exr"
-        metadata = {"vitrail:scene_hash": lowered["scene_hash"]}
-        write_image(path, (halves[0] + halves[1]) / 2, half_a=halves[0], half_b=halves[1], metadata=metadata)
-        return Rendering(path, {"engine": "tracer", "version": "1"})
+        views = {}
+        for view in lowered["views"]:
+            size = (view["image"]["height"], view["image"]["width"], 3)
+            a, b = (0.5 * (1 + 0.1 * rng.standard_normal(size)) for _ in "ab")
+            views[view["name"]] = Path(out_dir) / f"tracer.{view['name']}.exr"
+            write_image(views[view["name"]], (a + b) / 2, half_a=a, half_b=b)
+        return Rendering(Path(out_dir) / "tracer.exr", {"engine": "tracer", "version": "1"}, views)
 
 
 def test_pairs_are_measured_once_and_remembered(tmp_path: Path) -> None:

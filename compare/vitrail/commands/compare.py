@@ -44,7 +44,7 @@ def compare(
     against: Against = typer.Option(Against.POVRAY, "--against", help="What the tracer is held against."),
     views: bool = typer.Option(True, "--views/--no-views", help="Measure each observation in a picture of its own."),
     rounds: int = typer.Option(1, "--rounds", min=0, help="How often to buy more samples for a scene in doubt."),
-    budget_s: float = typer.Option(60.0, "--budget-s", min=0, help="CPU seconds that may cost a scene in doubt."),
+    budget_s: float | None = typer.Option(None, "--budget-s", min=0, help="CPU seconds for all that is in doubt."),
     references: Path | None = typer.Option(None, "--references", help="The folder of closed forms and thresholds."),
     inject_defect: str = typer.Option("", "--inject-defect", help="Put a known mistake in, to see it caught."),
     form: Format = typer.Option(Format.HUMAN, "--format", help="How the results are printed."),

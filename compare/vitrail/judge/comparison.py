@@ -14,6 +14,7 @@ from pydantic import Field, JsonValue
 
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.base.record import Record
+from vitrail.judge.noise_record import NoiseRecord
 from vitrail.judge.view_record import ViewRecord
 
 
@@ -225,16 +226,17 @@ class Whereabouts(Record):
 class ObservationResult(Record):
     """One phenomenon on one patch: everything that was measured and what it came to.
 
-    ``unmeasured`` says which numbers could not be had and why; with any of them the verdict is not ``agrees``.
-    ``view`` is the picture in which it was measured, null for the scene's own. ``where`` is looked for only when the
-    engines deviate from each other. ``statement`` says how close its numbers are
-    known to be; ``bound`` is that of the number which is most tolerances wide.
+    ``unmeasured`` says which numbers could not be had and why; with any of them the verdict is not ``agrees``. ``view``
+    is the picture in which it was measured, null for the scene's own; ``noise`` is what its noise comes from. ``where``
+    is looked for only when the engines deviate from each other. ``statement`` says how close its numbers are known to
+    be; ``bound`` is that of the number which is most tolerances wide.
     """
 
     name: str
     phenomenon: Phenomenon
     patch: PatchRecord
     view: ViewRecord | None = None
+    noise: tuple[NoiseRecord, ...] = ()
     comparisons: tuple[Comparison, ...]
     profiles: tuple[Profile, ...] = ()
     unmeasured: tuple[str, ...] = ()

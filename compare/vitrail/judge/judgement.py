@@ -42,6 +42,7 @@ def judge_observation(
         phenomenon=phenomenon,
         patch=observed.patch,
         view=observed.view,
+        noise=observed.noise,
         comparisons=comparisons,
         profiles=observed.profiles,
         unmeasured=observed.unmeasured,

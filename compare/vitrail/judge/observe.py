@@ -13,6 +13,7 @@ from vitrail.base.phenomenon import Phenomenon
 from vitrail.images.exr import ImageLayers
 from vitrail.images.patch import PatchSamples
 from vitrail.judge.comparison import Pair, PatchRecord, Profile
+from vitrail.judge.noise_record import NoiseRecord, noise_records
 from vitrail.judge.patch_light import PatchLight, patch_light
 from vitrail.judge.profiles import profiles_of
 from vitrail.judge.references import SceneTruth, Truth
@@ -33,7 +34,7 @@ UNSEEN = 0.5
 class Observed:
     """One observation with its numbers; ``unmeasured`` says what no number could be had for.
 
-    ``view`` is the picture in which it was measured, None for the scene's own.
+    ``view`` is the picture in which it was measured, None for the scene's own; ``noise`` is what its noise comes from.
     """
 
     observation: Observation
@@ -44,6 +45,7 @@ class Observed:
     profiles: tuple[Profile, ...]
     unmeasured: tuple[str, ...]
     view: ViewRecord | None = None
+    noise: tuple[NoiseRecord, ...] = ()
 
 
 def merged(first: Observed, second: Observed) -> Observed:
@@ -67,8 +69,9 @@ def observe(
     truth: SceneTruth,
     correlation_m: float,
     views: Mapping[str, Shown] | None = None,
+    only: frozenset[str] | None = None,
 ) -> tuple[Observed, ...]:
-    """Everything the scene asks to be observed.
+    """Everything the scene asks to be observed, or those observations ``only``.
 
     ``images`` by side are the scene's own; ``views`` by observation are what was made for it alone. ``correlation_m``
     is the gather radius. Raises NothingToMeasure for a patch that shows nothing.
@@ -77,6 +80,7 @@ def observe(
     return tuple(
         _observe(scene, entry, (views or {}).get(entry.name, own), pairs, truth, correlation_m)
         for entry in scene.observe
+        if only is None or entry.name in only
     )
 
 
@@ -121,6 +125,7 @@ def _observe(
         profiles=profiles_of(observation, samples, truth.profiles.get(observation.name)),
         unmeasured=tuple(dict.fromkeys(unmeasured)),
         view=shown.record,
+        noise=noise_records(samples, scene),
     )
 
 

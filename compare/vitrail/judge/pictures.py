@@ -47,11 +47,18 @@ def write_pictures(
 
 
 def write_view_pictures(
-    images: Mapping[str, ImageLayers], files: Mapping[str, Path], place: Path, view: str, exposure_stops: float
+    images: Mapping[str, ImageLayers],
+    files: Mapping[str, Path],
+    place: Path,
+    root: Path,
+    view: str,
+    exposure_stops: float,
 ) -> tuple[tuple[ViewImage, ...], str]:
-    """Write the pictures of one view; returns the files of each side and the difference of the first two sides."""
-    display, root = Display(exposure_stops), place.parent
-    sides = []
+    """Write the pictures of one view; returns the files of each side and the difference of the first two sides.
+
+    Paths are relative to ``root``, where ``results.json`` is.
+    """
+    display, sides = Display(exposure_stops), []
     for side, image in images.items():
         png = place / f"{side}.{view}.png"
         write_png(png, display.apply(image.radiance))

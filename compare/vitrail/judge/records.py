@@ -17,6 +17,7 @@ from vitrail.base.certificate_entry import CertificateEntry
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.base.record import Record, json_text, read_record, record_schema, write_record
 from vitrail.judge.comparison import Bound, ObservationResult, Pair, Verdict
+from vitrail.judge.purchase import PriceScore, Purchase
 from vitrail.judge.scan_records import ScanResult
 
 RESULTS_VERSION: Literal[1] = 1
@@ -111,8 +112,8 @@ class ImageFiles(Record):
 class MoreSamples(Record):
     """What deciding a scene in doubt would cost: ``factor`` times the samples, ``cpu_s`` CPU seconds more.
 
-    Both are null where no number of samples decides. ``budget_s`` is what one scene may cost beyond its first look;
-    ``affordable`` says whether what is left of it pays. The price is measured on this machine, as all times are.
+    Both are null where no number of samples decides. ``budget_s`` is what all scenes of the run may cost beyond their
+    first look; ``affordable`` says whether what is left of it pays. The price is measured on this machine.
     """
 
     factor: float | None = None
@@ -154,6 +155,7 @@ class SceneResult(Record):
     bound: Bound | None = None
     statement: str = ""
     more_samples: MoreSamples | None = None
+    purchases: tuple[Purchase, ...] = ()
     exit_code: int = Field(ge=0)
 
 
@@ -185,7 +187,7 @@ class Run(Record):
 
 
 class Results(Record):
-    """``results.json``."""
+    """``results.json``. ``prices`` says how well the run foresaw what more samples cost, where it bought some."""
 
     vitrail_results: Literal[1] = RESULTS_VERSION
     run: Run
@@ -194,6 +196,7 @@ class Results(Record):
     counts: dict[str, int] = {}
     verdict: Verdict | None
     statement: str = ""
+    prices: PriceScore | None = None
     exit_code: int = Field(ge=0)
 
 

@@ -20,6 +20,7 @@ from vitrail.pipeline.ablate import search_whereabouts
 from vitrail.pipeline.gated_images import open_images
 from vitrail.pipeline.gated_views import open_views
 from vitrail.pipeline.job import Job, prepare
+from vitrail.pipeline.look_again import look_again, request_of
 from vitrail.pipeline.lowered import job_of, lower
 from vitrail.pipeline.measurements import Measurements
 from vitrail.pipeline.own_defect import TRACEBACK, defective, if_own_defect, unsearched
@@ -46,7 +47,7 @@ def compare(scenes: Sequence[Loaded], request: Request, progress: Progress = sil
         for _ in range(request.rounds):
             run_each(suite.more_samples(), work, suite.keep, jobs=request.jobs)
         for record in suite.deviating():
-            suite.runs[record.name] = _with_whereabouts(suite, record, progress)
+            suite.keep_search(record.name, _with_whereabouts(suite, record, progress))
     except KeyboardInterrupt:
         suite.interrupted = True
     return suite.results()
@@ -57,12 +58,15 @@ def compare_scene(task: SceneTask, progress: Progress = silent) -> SceneRun:
 
     Raises KeyboardInterrupt where somebody stopped an engine.
     """
-    loaded, request, place = task.loaded, task.request, task.request.out / task.name
+    loaded, place = task.loaded, task.request.out / task.name
+    request = task.request if task.purchase is None else request_of(task, task.purchase)
     references = references_folder(loaded.path, request.references)
     stored = _stored(loaded, references, request)
     job = _prepared(loaded, stored, request)
     record = record_of_job(job, task.name, request)
     try:
+        if task.purchase is not None and "" not in task.purchase.samples:
+            return look_again(task, task.purchase, references, progress)
         lowered = lower(job, request)
         record = changed(record, certificate=lowered.certificate.records)
         rendered = run_both(lowered, place, request, progress)
@@ -110,7 +114,7 @@ def _look(task: SceneTask, progress: Progress) -> SceneRun:
 
 def _with_whereabouts(suite: Suite, record: SceneResult, progress: Progress) -> SceneRun:
     """The run with what was tried to find where its engines deviate; a defect met there takes no verdict away."""
-    run, loaded, left_s = suite.runs[record.name], suite.scenes[record.name], suite.left_s[record.name]
+    run, loaded, left_s = suite.runs[record.name], suite.scenes[record.name], suite.left_s
     assert run.references is not None
     references, watched = run.references, named(progress, record.name)
 

@@ -20,12 +20,19 @@ from vitrail.scene.model import Scene
 
 
 def open_views(
-    record: SceneResult, scene: Scene, views: Sequence[ObservationView], made: Mapping[str, Rendering], place: Path
+    record: SceneResult,
+    scene: Scene,
+    views: Sequence[ObservationView],
+    made: Mapping[str, Rendering],
+    place: Path,
+    root: Path | None = None,
 ) -> tuple[SceneResult, dict[str, Shown]]:
     """What was made for each observation, and the record with what the gates say of it; pictures are in ``place``.
 
-    A closed gate ends the record. Raises EngineFailure for an image that is missing or cannot be read.
+    Paths are relative to ``root``, where ``results.json`` is; without it that is the folder above. A closed gate ends
+    the record. Raises EngineFailure for an image that is missing or cannot be read.
     """
+    root = root or place.parent
     shown: dict[str, Shown] = {}
     gates, failed = [], []
     for view in views:
@@ -36,7 +43,7 @@ def open_views(
         message = "; ".join(failures) or "passed"
         gates.append(Gate(gate="view", passed=not failures, message=f"{view.name}: {message}"))
         if not failed:
-            sides, difference = write_view_pictures(images, files, place, view.name, record.exposure_stops)
+            sides, difference = write_view_pictures(images, files, place, root, view.name, record.exposure_stops)
             drawn = changed(_view_record(view, scene), images=sides, difference_picture=difference)
             shown |= dict.fromkeys(view.observations, Shown(view.camera, view.image, images, drawn))
     record = changed(record, gates=(*record.gates, *gates))

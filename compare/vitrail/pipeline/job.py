@@ -20,7 +20,7 @@ from vitrail.plan.analyse import analyse
 from vitrail.plan.budget import settings_for, settings_for_views
 from vitrail.plan.plan import Plan
 from vitrail.plan.settings import Quality, Settings
-from vitrail.plan.views import PICTURE_SAMPLES, ObservationView, for_people, views_of
+from vitrail.plan.views import PICTURE_SAMPLES, ObservationView, for_people, token, views_of
 from vitrail.scene.load import Loaded
 from vitrail.scene.model import Scene
 
@@ -60,6 +60,11 @@ class Job:
         views = views_of(self.world, self.plan, settings)
         image = for_people(self.scene.image)
         return replace(self.with_scene(changed(self.scene, image=image)), settings=settings, views=views)
+
+    def only(self, samples: Mapping[str, int]) -> Job:
+        """The same job for some views alone, each with so many samples of a pixel; its picture is a token."""
+        views = tuple(replace(view, samples=samples[view.name]) for view in self.views if view.name in samples)
+        return replace(self.with_scene(changed(self.scene, image=token(self.scene.image))), views=views)
 
     @property
     def times(self) -> int:

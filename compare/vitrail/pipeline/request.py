@@ -13,7 +13,7 @@ from vitrail.pipeline.defect import Defect
 from vitrail.plan.settings import Quality
 
 BUDGET_S = 60.0
-"""CPU seconds that one scene may cost beyond its first look: a minute is what a person waits for an answer."""
+"""CPU seconds per scene that a run may cost beyond its first looks: a minute is what a person waits for an answer."""
 
 
 @dataclass(frozen=True)
@@ -23,8 +23,9 @@ class Request:
     ``against`` says what the tracer is held against beside closed forms: ``povray``, ``stored`` (its own accepted
     image, made again by that image's recipe), both, or nothing. ``threads`` 0 takes every core; ``jobs`` scenes are
     worked on at a time. With ``views`` every observation is measured in a picture of its own. After the first look up
-    to ``rounds`` more buy samples for the scenes in doubt, for at most ``budget_s`` CPU seconds each. ``references`` is
-    the folder of closed forms, thresholds and stored images, or None for the one nearest to each scene.
+    to ``rounds`` more buy samples for what is in doubt, for at most ``budget_s`` CPU seconds over all scenes; None is
+    a minute per scene, shared. ``references`` is the folder of closed forms, thresholds and stored images, or None for
+    the one nearest to each scene.
     """
 
     out: Path
@@ -34,12 +35,16 @@ class Request:
     jobs: int = 1
     views: bool = True
     rounds: int = 0
-    budget_s: float = BUDGET_S
+    budget_s: float | None = None
     references: Path | None = None
     defect: Defect = Defect()
     against: tuple[str, ...] = ("povray",)
     engines: Mapping[str, Engine] = field(default_factory=lambda: {"tracer": Tracer(), "povray": Povray()})
     command: tuple[str, ...] = ()
+
+    def suite_budget_s(self, scenes: int) -> float:
+        """CPU seconds that so many scenes together may cost beyond their first looks."""
+        return BUDGET_S * scenes if self.budget_s is None else self.budget_s
 
     @property
     def cache(self) -> Path:

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from vitrail.judge.judgement import Residual
 from vitrail.judge.observe import Observed
+from vitrail.judge.purchase import Purchase
 from vitrail.judge.records import SceneResult
 from vitrail.pipeline.ablate import Search
 from vitrail.pipeline.request import Request
@@ -15,11 +16,16 @@ from vitrail.scene.load import Loaded
 
 @dataclass(frozen=True)
 class SceneTask:
-    """One scene to be rendered and measured, by the name of its folder in the results. Its run depends on it alone."""
+    """One scene to be rendered and measured, by the name of its folder in the results. Its run depends on it alone.
+
+    ``purchase`` asks for another look, at some views alone; ``look`` counts from 1.
+    """
 
     name: str
     loaded: Loaded
     request: Request
+    purchase: Purchase | None = None
+    look: int = 1
 
 
 @dataclass(frozen=True)

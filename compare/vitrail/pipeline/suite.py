@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import time
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from vitrail.base.changed import changed
+from vitrail.judge.comparison import Verdict
+from vitrail.judge.purchase import PriceScore, price_score
 from vitrail.judge.records import Results, Run, SceneResult, write_results
 from vitrail.judge.references import read_scene_truth, references_folder
 from vitrail.judge.stored import read_stored
@@ -15,7 +17,8 @@ from vitrail.judge.thresholds import Thresholds, thresholds_of
 from vitrail.pipeline.ablate import deviates_between_engines
 from vitrail.pipeline.about_run import about_run
 from vitrail.pipeline.judge import judge, judge_scene
-from vitrail.pipeline.more_samples import more, offer
+from vitrail.pipeline.look_again import priced, with_look
+from vitrail.pipeline.more_samples import offer, purchases
 from vitrail.pipeline.own_defect import defective, if_own_defect
 from vitrail.pipeline.request import Request
 from vitrail.pipeline.scene_run import SceneRun, SceneTask
@@ -25,14 +28,18 @@ from vitrail.scene.print import scene_hash
 
 @dataclass
 class Suite:
-    """``scenes`` by name, in their order; ``runs`` those that have been looked at; ``left_s`` CPU seconds each."""
+    """``scenes`` by name, in their order; ``runs`` those that were looked at, ``last`` as they were looked at last.
+
+    ``left_s`` CPU seconds are left for all of them together.
+    """
 
     scenes: Mapping[str, Loaded]
     request: Request
     about: Run
     begun_s: float = field(default_factory=time.monotonic)
     runs: dict[str, SceneRun] = field(default_factory=dict)
-    left_s: dict[str, float] = field(default_factory=dict)
+    last: dict[str, SceneResult] = field(default_factory=dict)
+    left_s: float = 0.0
     interrupted: bool = False
 
     @classmethod
@@ -42,22 +49,21 @@ class Suite:
         check_references(scenes, request)
         request.out.mkdir(parents=True, exist_ok=True)
         names = scene_names([loaded.path for loaded in scenes])
-        return cls(dict(zip(names, scenes, strict=True)), request, about)
+        return cls(dict(zip(names, scenes, strict=True)), request, about, left_s=request.suite_budget_s(len(scenes)))
 
     def tasks(self) -> list[SceneTask]:
         """Every scene, as it was asked for."""
         return [SceneTask(name, loaded, self.request) for name, loaded in self.scenes.items()]
 
     def more_samples(self) -> list[SceneTask]:
-        """The scenes in doubt that can pay, each with as many more samples as its numbers ask for."""
-        found = []
-        for scene in self.results().scenes:
-            deal, loaded = scene.more_samples, self.scenes[scene.name]
-            if deal is not None and deal.affordable and deal.factor is not None:
-                bought = more(scene.settings, deal.factor, fixed_samples=loaded.scene.image.samples is not None)
-                request = replace(self.request, overrides={**self.request.overrides, **bought})
-                found.append(SceneTask(scene.name, loaded, request))
-        return found
+        """Another look at the scenes in doubt, at the views that the budget pays for, the cheapest decisions first."""
+        doubtful = [self._priced(scene) for scene in self.results().scenes if scene.verdict is Verdict.INCONCLUSIVE]
+        fixed = [scene.name for scene in doubtful if self._is_fixed(scene.name)]
+        bought = purchases(doubtful, max(self.left_s, 0.0), fixed)
+        return [
+            SceneTask(name, self.scenes[name], self.request, purchase, 2 + len(self.runs[name].record.purchases))
+            for name, purchase in bought.items()
+        ]
 
     def deviating(self) -> list[SceneResult]:
         """The judged scenes whose engines deviate from each other."""
@@ -69,10 +75,18 @@ class Suite:
 
         The first look is what was asked for; only those after it are paid from the budget.
         """
-        is_first = task.name not in self.left_s
-        self.left_s[task.name] = self.request.budget_s if is_first else self.left_s[task.name] - _cpu_s(run.record)
+        if task.purchase is not None:
+            self.left_s -= _cpu_s(run.record)
+            if run.record.engines:
+                self.last[task.name] = run.record
+            run = with_look(self.runs[task.name], run, task.purchase)
         self.runs[task.name] = run
         self.results()
+
+    def keep_search(self, name: str, run: SceneRun) -> None:
+        """Remember what was tried to find where the engines deviate, which is paid from the budget too."""
+        self.left_s -= sum(each.cpu_s for each in run.search.ablated)
+        self.runs[name] = run
 
     def results(self) -> Results:
         """All verdicts so far, written to ``results.json``; a scene in doubt has what it would cost to decide it."""
@@ -83,9 +97,14 @@ class Suite:
             looks=1 + self.request.rounds,
             judge_one=self._judged,
         )
-        results = changed(results, scenes=tuple(map(self._with_price, results.scenes)))
+        results = changed(results, scenes=tuple(map(self._with_price, results.scenes)), prices=self._prices())
         write_results(results, self.request.out / "results.json")
         return results
+
+    def _prices(self) -> PriceScore | None:
+        """How well the prices of this run were foreseen, once something was bought."""
+        bought = [purchase for run in self.runs.values() for purchase in run.record.purchases]
+        return price_score(bought) if bought else None
 
     def _judged(self, run: SceneRun, rules: Thresholds, level: float) -> SceneResult:
         name = run.record.name
@@ -95,10 +114,18 @@ class Suite:
         )
 
     def _with_price(self, scene: SceneResult) -> SceneResult:
-        left_s = max(self.left_s[scene.name], 0.0)
-        is_fixed = self.scenes[scene.name].scene.image.samples is not None
-        deal = offer(scene, left_s, self.request.budget_s, fixed_samples=is_fixed)
+        budget_s = self.request.suite_budget_s(len(self.scenes))
+        is_fixed = self._is_fixed(scene.name)
+        deal = offer(self._priced(scene), max(self.left_s, 0.0), budget_s, fixed_samples=is_fixed)
         return changed(scene, more_samples=deal)
+
+    def _priced(self, scene: SceneResult) -> SceneResult:
+        """The scene with what its views cost when they were looked at last."""
+        return priced(scene, self.last[scene.name]) if scene.name in self.last else scene
+
+    def _is_fixed(self, name: str) -> bool:
+        """Whether a scene is about its samples, which are then never raised."""
+        return self.scenes[name].scene.image.samples is not None
 
 
 def check_references(scenes: Sequence[Loaded], request: Request) -> None:

@@ -63,6 +63,9 @@ PICTURE_WIDTH = 480
 LARGEST = 1024
 """Pixels along one side at most, of a picture that is made finer than its scene says."""
 
+TOKEN = 8
+"""Pixels along the shorter side of a picture that nobody looks at."""
+
 PICTURE_SAMPLES = 1
 """Samples of a pixel in a picture for people: it has so many pixels that eyes average over them."""
 
@@ -93,6 +96,12 @@ def for_people(image: Image) -> Image:
     """The scene's own picture in so many pixels that people want to look at it; each becomes a square of pixels."""
     times = max(min(math.ceil(PICTURE_WIDTH / image.width), LARGEST // max(image.width, image.height)), 1)
     return changed(image, width=image.width * times, height=image.height * times)
+
+
+def token(image: Image) -> Image:
+    """The smallest picture of this shape that engines draw with ease, where nobody looks at it."""
+    shorter = min(image.width, image.height) / TOKEN
+    return changed(image, width=max(round(image.width / shorter), 1), height=max(round(image.height / shorter), 1))
 
 
 def _view(world: World, plan: Plan, settings: Settings, name: str, entries: Sequence[Observation]) -> ObservationView:

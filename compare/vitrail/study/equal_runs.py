@@ -26,6 +26,7 @@ from vitrail.judge.comparison import Pair
 from vitrail.judge.false_alarms import sidak
 from vitrail.judge.observe import observe
 from vitrail.judge.references import SceneTruth
+from vitrail.judge.shown import Shown
 from vitrail.pipeline.campaign import Campaign, Work, run_campaign
 from vitrail.pipeline.job import Job, prepare
 from vitrail.pipeline.run import run
@@ -89,7 +90,8 @@ def equal_runs(
 ) -> EqualRuns:
     """Render and compare ``pairs`` pairs, remembering those that are done; write and return equal_runs.json."""
     # The files of a scene have other paths on another machine: the key of a task names them as the scene does.
-    job = replace(_job(loaded, overrides, 0), world=World.of_scene(loaded.scene))
+    job = _job(loaded, overrides, 0)
+    job = replace(job, world=World.of_scene(job.scene))
     content = canonical_json(job.lowered(EngineName.TRACER))
     tasks = [
         Task("pair", {"first": 2 * k + 1, "second": 2 * k + 2, "content": content, "version": engine.version()})
@@ -131,10 +133,15 @@ def _alarms(suite: Sequence[PairNumber], rate: float) -> bool:
 
 def _pair(loaded: Loaded, engine: Engine, overrides: Mapping[str, object], seeds: tuple[int, int]) -> PairNumbers:
     """Every number between two renderings of the scene."""
+    job = _job(loaded, overrides, seeds[0])
     first, second = (_rendered(_job(loaded, overrides, seed), engine) for seed in seeds)
-    images = {"candidate": first, "reference": second}
-    radius_m = _job(loaded, overrides, seeds[0]).settings.gather_radius_m
-    observed = observe(loaded.scene, images, (Pair.CANDIDATE_REFERENCE,), SceneTruth(), radius_m)
+    shown = {
+        name: Shown(view.camera, view.image, {"candidate": first[view.name], "reference": second[view.name]})
+        for view in job.views
+        for name in view.observations
+    }
+    radius_m = job.settings.gather_radius_m
+    observed = observe(loaded.scene, {}, (Pair.CANDIDATE_REFERENCE,), SceneTruth(), radius_m, shown)
     numbers = tuple(
         PairNumber(
             metric=f"{each.observation.name}.{entry.metric}",
@@ -150,9 +157,13 @@ def _pair(loaded: Loaded, engine: Engine, overrides: Mapping[str, object], seeds
 
 
 def _job(loaded: Loaded, overrides: Mapping[str, object], seed: int) -> Job:
-    return prepare(loaded, Quality.DRAFT, {**overrides, "seed": seed})
+    """The views of the scene, each as a comparison has it; the picture is a token, as nobody looks at it."""
+    job = prepare(loaded, Quality.DRAFT, {**overrides, "seed": seed}).with_views()
+    return job.only({view.name: view.samples for view in job.views})
 
 
-def _rendered(job: Job, engine: Engine) -> ImageLayers:
+def _rendered(job: Job, engine: Engine) -> dict[str, ImageLayers]:
+    """The image of every view, by its name."""
     with tempfile.TemporaryDirectory(prefix="vitrail-pair-") as work:
-        return read_image(run(job, engine, Path(work), threads=1).image_path)
+        made = run(job, engine, Path(work), threads=1)
+        return {name: read_image(path) for name, path in made.views.items()}
