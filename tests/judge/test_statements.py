@@ -7,7 +7,7 @@ import pytest
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.judge.bound import percent, reach, worst
 from vitrail.judge.comparison import Comparison, ObservationResult, Pair, PatchRecord, TolerancePart, Verdict
-from vitrail.judge.statements import observation_statement, run_statement, scene_statement
+from vitrail.judge.statements import observation_statement, run_statement, scene_headline, scene_statement
 from vitrail.judge.verdict import Measured, Noise, decide, overall
 
 LEVEL = 0.9999
@@ -115,3 +115,15 @@ def test_a_bound_is_one_tolerance_wide_or_less_exactly_where_the_number_agrees(d
 @pytest.mark.parametrize(("level", "words"), [(0.95, "95 %"), (0.99961352, "99.961 %"), (0.9999987, "99.99987 %")])
 def test_a_level_has_no_more_digits_than_it_needs(level: float, words: str) -> None:
     assert percent(level) == words
+
+
+def test_a_headline_is_the_widest_part_and_a_doubt_comes_before_agreement() -> None:
+    shadow = observation(Phenomenon.SHADOW, number("radiance_ratio.red", 0.0099, 0.0, 0.01))
+    spot = observation(Phenomenon.CAUSTIC, FLUX, TRUTH)
+    open_truth = number("caustic_flux.red", 0.004, 0.004, 0.01, Pair.TRACER_TRUTH)
+    assert scene_headline([spot]) == "The caustic agrees to within 0.40 % (95 %)."
+    assert scene_headline([spot, shadow]) == "The shadow agrees to within 0.99 % (95 %)."
+    assert scene_headline([observation(Phenomenon.CAUSTIC, FLUX, open_truth), shadow]) == (
+        "The caustic of the tracer agrees with the closed form to within 1.2 % (tolerance 1.0 % not yet shown) (95 %)."
+    )
+    assert scene_headline([]) == ""

@@ -44,7 +44,7 @@ from vitrail.judge.records import (
     write_results,
 )
 from vitrail.judge.scan_records import DifferentPlace, ScanResult
-from vitrail.judge.statements import observation_statement, run_statement, scene_statement
+from vitrail.judge.statements import observation_statement, run_statement, scene_headline, scene_statement
 from vitrail.judge.verdict import Measured, Noise, decide, overall
 from vitrail.judge.view_record import ViewImage, ViewRecord
 
@@ -214,6 +214,7 @@ def scene(folder: Path, name: str, title: str, flux: float, error: float) -> Sce
         verdict=observed.verdict,
         bound=observed.bound,
         statement=scene_statement([observed], scanned(place, flux)),
+        headline=scene_headline([observed]),
         exit_code=of_scene(Status.JUDGED, observed.verdict),
     )  # fmt: skip
 

@@ -29,7 +29,7 @@ def print_results(results: Results, page: Path | None, *, verbose: bool = False)
     console = Console(soft_wrap=True, highlight=False)
     width = max((len(scene.name) for scene in results.scenes), default=0)
     for scene in results.scenes:
-        console.print(line(scene, width))
+        console.print(line(scene, width, verbose=verbose))
     wrong = [text for scene in results.scenes for text in trouble(scene)]
     for text in ["", *wrong] if wrong else []:
         console.print(text)
@@ -41,10 +41,12 @@ def print_results(results: Results, page: Path | None, *, verbose: bool = False)
         console.print(f"Open {page}")
 
 
-def line(scene: SceneResult, width: int) -> str:
-    """Name, how close, verdict; of a scene that was not judged the first line of why."""
+def line(scene: SceneResult, width: int, *, verbose: bool = False) -> str:
+    """Name, how close in its widest part, verdict; of a scene that was not judged the first line of why."""
     word = scene.verdict.value if scene.verdict else scene.status.value
-    said = scene.statement or (scene.message.splitlines() or [""])[0]
+    said = (
+        (scene.statement if verbose else scene.headline) or scene.statement or (scene.message.splitlines() or [""])[0]
+    )
     return f"{escape(scene.name.ljust(width))}  {escape(said)} [{COLOURS.get(word, 'red')}]{word}[/]"
 
 

@@ -126,7 +126,8 @@ class MoreSamples(Record):
 class SceneResult(Record):
     """Everything about one scene. ``statement`` says how close it is known to agree, whatever its verdict;
 
-    ``bound`` is that of its number which is most tolerances wide, at the level of the verdicts.
+    ``headline`` is the widest part of it. ``bound`` is that of its number which is most tolerances wide, at the level
+    of the verdicts.
     """
 
     name: str
@@ -154,6 +155,7 @@ class SceneResult(Record):
     verdict: Verdict | None = None
     bound: Bound | None = None
     statement: str = ""
+    headline: str = ""
     more_samples: MoreSamples | None = None
     purchases: tuple[Purchase, ...] = ()
     exit_code: int = Field(ge=0)

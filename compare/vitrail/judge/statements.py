@@ -62,6 +62,25 @@ def _observed_statement(observations: Sequence[ObservationResult]) -> str:
     return _sentence([*told, *([f"known more closely: {', '.join(rest)}"] if rest else [])], has_bound=True)
 
 
+def scene_headline(observations: Sequence[ObservationResult], scan: ScanResult | None = None) -> str:
+    """The widest part of a scene's statement, for a line of a terminal: one phenomenon, one pair.
+
+    A deviation comes before a doubt, a doubt before agreement; among equals the engines before closed forms.
+    """
+    groups = [
+        (phenomenon, pair, mine)
+        for phenomenon in Phenomenon
+        for pair in Pair
+        if (mine := [entry for entry in _of(observations, phenomenon) if entry.pair is pair])
+    ]
+    beside = [place.words for place in scan.places if place.deviates] if scan is not None else []
+    if not groups or beside:
+        return beside[0] if beside else ""
+    order = list(Pair)
+    phenomenon, pair, mine = max(groups, key=lambda each: (_rank(each[2])[0], -order.index(each[1]), _rank(each[2])))
+    return _sentence([_clause(_subject(phenomenon, pair), pair, _aspects(mine))], has_bound=True)
+
+
 def run_statement(counts: dict[str, int]) -> str:
     """A run in one sentence: how many scenes agree, deviate, are not shown to agree closely enough, failed."""
     scenes = sum(counts.values())

@@ -12,7 +12,7 @@ from vitrail.judge.exit_code import of_run, of_scene
 from vitrail.judge.false_alarms import SUITE_FALSE_ALARM_RATE, sidak
 from vitrail.judge.judgement import judge_observation
 from vitrail.judge.records import Results, Run, SceneResult, Status
-from vitrail.judge.statements import run_statement, scene_statement
+from vitrail.judge.statements import run_statement, scene_headline, scene_statement
 from vitrail.judge.thresholds import Thresholds, thresholds_of
 from vitrail.judge.verdict import overall
 from vitrail.pipeline.ablate import with_whereabouts
@@ -35,6 +35,7 @@ def judge_scene(run: SceneRun, rules: Thresholds, level: float) -> SceneResult:
         "verdict": verdict,
         "bound": worst(entry for each in observations for entry in each.comparisons),
         "statement": scene_statement(observations, run.record.scan),
+        "headline": scene_headline(observations, run.record.scan),
     }
     if verdict is None:
         update |= {"status": Status.SCENE_ERROR, "message": "the scene observes nothing; add an `observe` entry"}
