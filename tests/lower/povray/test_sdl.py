@@ -63,7 +63,7 @@ def test_each_layer_of_a_look_from_inside_is_one() -> None:
     glass = "tinted: {diffuse: 0.2, transmission: [0.2, 0.5, 0.8], ior: 1.5}"
     pane = "- {name: pane, box: {min: [-1, 0, -1], max: [1, 0.1, 1]}, material: tinted}"
     run = lowered(scene(glass, pane), reference_mode="native").runs[0]
-    (box,) = found(run.scene, "box")
+    (box,) = found(run.pictures[0].scene, "box")
     assert [part.head for part in box.parts if isinstance(part, Block) and "texture" in part.head] == [
         *["texture"] * 2,
         *["interior_texture"] * 2,

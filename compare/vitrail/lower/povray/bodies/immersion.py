@@ -7,9 +7,19 @@ n^2 too bright for a surface that scatters or glows inside. Its own radiance is 
 
 from __future__ import annotations
 
+import math
+
+import numpy as np
+
 from vitrail.base.vector import Vec
+from vitrail.geometry.shapes.flat import PlacedDisc, PlacedRectangle
+from vitrail.geometry.surface import tangents
+from vitrail.geometry.touch import TOUCH
 from vitrail.geometry.world import World
 from vitrail.optics.dispersion import reference_ior
+
+GRID = 33
+"""Points along a flat shape, edge to edge, where it is asked whether it stands in glass."""
 
 
 def index_at_camera(world: World) -> float:
@@ -22,6 +32,47 @@ def index_around(world: World, index: int) -> float:
     solid = world.solids[index]
     points = solid.surface_points(solid)
     return _index_around(world, points, but=index) if points else 1.0
+
+
+def partly_around(world: World, index: int) -> tuple[int, ...]:
+    """The glasses that a body which is none reaches into with a part of its surface, in the scene's order.
+
+    What takes room from the body is none of them: its face is cut out there.
+    """
+    solid, found = world.solids[index], []
+    points = solid.surface_points(solid)
+    for glass, other in enumerate(world.solids):
+        if glass == index or not other.is_closed or not world.material(glass).is_transmissive:
+            continue
+        is_whole = bool(points) and bool(other.is_inside(np.array(points, float)).all())
+        if not is_whole and not world.displaces(glass, index) and _reach_into_each_other(world, index, glass):
+            found.append(glass)
+    return tuple(found)
+
+
+def _reach_into_each_other(world: World, index: int, glass: int) -> bool:
+    """Whether a part of a surface lies inside a glass; of a flat one by points on a grid."""
+    solid, other = world.solids[index], world.solids[glass]
+    (low, high), (other_low, other_high) = ((each.bounds.low, each.bounds.high) for each in (solid, other))
+    if any(low[axis] > other_high[axis] or other_low[axis] > high[axis] for axis in range(3)):
+        return False
+    if solid.is_closed:
+        return bool(world.overlap(index, glass))
+    if not isinstance(solid, PlacedRectangle | PlacedDisc):
+        return False
+    slack = TOUCH * max(solid.number_size_m, other.number_size_m)
+    return bool((other.depth(_grid(solid)) > slack).any())
+
+
+def _grid(flat: PlacedRectangle | PlacedDisc) -> np.ndarray:
+    """Points (n, 3) all over a flat shape."""
+    along = np.linspace(-1, 1, GRID)
+    a, b = (each.ravel()[:, None] for each in np.meshgrid(along, along))
+    if isinstance(flat, PlacedRectangle):
+        return np.asarray(flat.shape.center) + a * flat.shape.u + b * flat.shape.v
+    u, v = tangents(flat.shape.normal)
+    radius, turn = flat.shape.radius * (a + 1) / 2, math.pi * b
+    return np.asarray(flat.shape.center) + radius * np.cos(turn) * u + radius * np.sin(turn) * v
 
 
 def seen_from_outside(world: World, ior: float) -> float:

@@ -32,7 +32,9 @@ FLUX_LIMIT = 16.0
 SECOND_FLUX = 180 / 255
 """Flux of the second half's photons over the first's; its root, 0.840, is far from any ratio of small numbers."""
 JITTER = 1
-"""Each photon anywhere in its cell; the default of 0.4 leaves rings that a round rim cuts unevenly, by 0.4 %."""
+"""Each photon anywhere in its cell. Spread of an eighth of a patch over eight spacings, jitter 0, 0.4, 0.7 and 1, per
+cent: ball lens 0.34, 0.34, 0.37, 0.46; `figure_8` 0.49, 0.50, 0.59, 0.68; `figure_2` 2.6, 1.8, 0.98, 0.54, where the
+rings of a lattice and the lens make a pattern. The whole flux of `figure_2` spreads by 0.15, 0.14, 0.05 and 0.05."""
 MOST_WASTED = 64
 """Shots for each photon that an aperture or a cone lets through, before the spacing gives in."""
 PHOTON_FILE = "photons.map"

@@ -12,7 +12,7 @@ from collections.abc import Iterator
 
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.geometry.world import World
-from vitrail.lower.povray.bodies.immersion import index_around
+from vitrail.lower.povray.bodies.immersion import index_around, partly_around
 from vitrail.lower.povray.certificate.certificate import RELATIVE, Entry
 from vitrail.lower.povray.refusals.refusal import Refusals
 from vitrail.lower.povray.text.sdl import Block, block, statement
@@ -68,11 +68,16 @@ def radiosity_refusals(world: World, refusals: Refusals) -> Iterator[Diagnostic]
             yield refusals.at(what, "use other lights, or `indirect: {ambient: ...}`", "lights", index, "environment")
     covered = {other for _, other in world.contacts}
     for index, item in enumerate(scene.objects):
-        if scene.material_of(item).is_diffuse and (index in covered or index_around(world, index) != 1):
+        is_in_glass = index in covered or index_around(world, index) != 1 or _is_partly_in_glass(world, index)
+        if scene.material_of(item).is_diffuse and is_in_glass:
             what = "POV-Ray's radiosity would see this surface inside glass without the square of the index"
             yield refusals.at(
                 what, "leave a millimetre between it and the glass, or use `indirect: {ambient: ...}`", "objects", index
             )
+
+
+def _is_partly_in_glass(world: World, index: int) -> bool:
+    return not world.material(index).is_transmissive and bool(partly_around(world, index))
 
 
 def radiosity_entries(scene: Scene, quality: Quality) -> Iterator[Entry]:

@@ -8,7 +8,7 @@ from vitrail.base.colour import Triplet
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.geometry.solid import Solid
 from vitrail.geometry.world import World
-from vitrail.lower.povray.bodies.immersion import index_around, seen_from_outside
+from vitrail.lower.povray.bodies.immersion import index_around, partly_around, seen_from_outside
 from vitrail.lower.povray.bodies.nesting import Cut, Nesting
 from vitrail.lower.povray.bodies.normalise import Normalisation
 from vitrail.lower.povray.text.exposure import Exposure
@@ -32,6 +32,7 @@ class ObjectText:
 
     translation: Translation
     _made: dict[Solid, Primitive] = field(default_factory=dict, repr=False)
+    _partly: dict[int, tuple[int, ...]] = field(default_factory=dict, repr=False)
 
     @property
     def scene(self) -> Scene:
@@ -111,8 +112,8 @@ class ObjectText:
         bumps = [bumps_of(material, ior, from_inside=side) if material.is_specular else None for side in (False, True)]
         outer = self._layers(material, placed, exposure, bumps[0], around)
         if not material.is_transmissive:
-            for glass in self.translation.bodies.joined.under.get(index, ()):
-                # Where glass lies on this face, its radiance is seen from inside the glass.
+            for glass in self._glass_on(index):
+                # Where glass lies on this face, or around it, its radiance is seen from inside the glass.
                 within = seen_from_outside(self.world, self._index_of(self.scene.objects[glass]))
                 covered = self._layers(material, placed, exposure, bumps[0], within)
                 outer = (_by_place(self._without(glass, index), outer, covered),)
@@ -124,6 +125,13 @@ class ObjectText:
             left = self._second_face(self.scene.material_of(self.scene.objects[host]), is_contact, exposure)
             inner = (_by_place(self._without(host, index), inner, (left,)),)
         return outer if inner == outer else (*outer, *as_interior(inner))
+
+    def _glass_on(self, index: int) -> tuple[int, ...]:
+        """The glasses around a part of an opaque body's surface: those that lie on it, and those it reaches into."""
+        lying = self.translation.bodies.joined.under.get(index, ())
+        if index not in self._partly:
+            self._partly[index] = partly_around(self.world, index)
+        return (*lying, *(glass for glass in self._partly[index] if glass not in lying))
 
     def _index_of(self, item: Object) -> float:
         return reference_ior(self.scene.material_of(item))
