@@ -66,6 +66,8 @@ def test_a_number_in_another_form_is_taken_as_the_number_it_is() -> None:
         ("photons", "inf", "is not a whole number", "write one from 0 to 1099511627776"),
         ("seed", str(2**64), f"is above {LARGEST_SEED}", f"write a whole number from 0 to {LARGEST_SEED}"),
         ("seed", "1e999999999", "is not a whole number", f"write one from 0 to {LARGEST_SEED}"),
+        ("branch_share", "1.5", "is not a share of a look", "write a number from 0 to 1"),
+        ("branch_share", "nan", "is not a share of a look", "write a number from 0 to 1"),
         ("gather_radius_m", "0", "is not above 0", "write a length in metres above 0"),
         ("gather_radius_m", "inf", "is not a length", "write a length in metres above 0"),
         ("gather_radius_m", "wide", "is not a length", "write a length in metres above 0"),

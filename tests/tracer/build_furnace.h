@@ -30,6 +30,9 @@ inline std::string name_of(const Body& body) {
          (body.disperses ? ", dispersive" : "");
 }
 
+/// Of a look; weaker branches are left to chance, whose noise is then far below the tolerances here.
+inline constexpr double kFollowed = 1e-8;
+
 inline constexpr int kSide = 6;
 inline constexpr double kHalf = 0.95;  // of the image; the ball has radius 1
 
@@ -53,6 +56,7 @@ inline Scene furnace(const Body& body) {
   builder.scene.image = {kSide, kSide};
   builder.scene.plan.caustic = false;
   builder.scene.transport.max_reflections = builder.scene.transport.max_transmissions = 1000;
+  builder.scene.settings.branch_share = kFollowed;
   return builder.scene;
 }
 

@@ -25,6 +25,7 @@ enum class Purpose : std::uint32_t {
   kRoulette,
   kPilot,
   kBeamLattice,
+  kCameraBranch,
 };
 
 /// A scrambling: 64 well-mixed bits that stand for (seed, purpose, and up to two identities such as a light and a

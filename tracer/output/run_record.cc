@@ -25,7 +25,8 @@ Json settings_object(const Scene& scene, const Picture& picture) {
           {"rough_samples", settings.rough_samples},
           {"final_gather_rays", settings.final_gather_rays},
           {"memory_limit_mb", settings.memory_limit_mb},
-          {"solver", name_of(scene.solver())}};
+          {"solver", name_of(scene.solver())},
+          {"branch_share", settings.branch_share}};
 }
 
 Json ledger_object(const Ledger& ledger) {
@@ -34,12 +35,34 @@ Json ledger_object(const Ledger& ledger) {
           {"truncated", triplet(ledger.truncated)}, {"closure", ledger.closure()}};
 }
 
-Json views_array(const Rendering& rendering) {
+// What limits cut, as shares of looks: in all, by limit and by layer, and the block of pixels that lost most.
+Json camera_ledger_object(const CameraLedger& ledger, const Scene& scene) {
+  Json limits = Json::object(), layers = Json::object();
+  for (const Limit limit : {Limit::max_reflections, Limit::max_transmissions})
+    limits[name_of(limit)] = ledger.cut(limit);
+  for (int l = 0; l < kLayerCount; ++l) {
+    const auto layer = static_cast<Layer>(l);
+    if (ledger.cut(layer) > 0) layers[name_of(layer)] = ledger.cut(layer);
+  }
+  Json record = {{"cut", ledger.cut()}, {"limits", limits}, {"layers", layers}, {"worst", nullptr}};
+  const CameraLedger::Worst& worst = ledger.worst();
+  if (!(worst.cut > 0)) return record;
+  const PixelBlock& block = worst.block;
+  record["worst"] = {{"cut", worst.cut},
+                     {"x", {block.x0, block.x1 - 1}},
+                     {"y", {block.y0, block.y1 - 1}},
+                     {"limit", name_of(worst.limit)},
+                     {"object", scene.objects[worst.object].name}};
+  return record;
+}
+
+Json views_array(const Rendering& rendering, const Scene& scene) {
   Json views = Json::array();
   for (const RenderedView& view : rendering.views) {
     views.push_back({{"name", view.name},
                      {"camera_rays", view.camera_rays},
-                     {"cpu_s", {{"camera", view.camera_cpu_s}, {"gather", view.gather_cpu_s}}}});
+                     {"cpu_s", {{"camera", view.camera_cpu_s}, {"gather", view.gather_cpu_s}}},
+                     {"camera_ledger", camera_ledger_object(view.camera_ledger, scene)}});
   }
   return views;
 }
@@ -102,10 +125,11 @@ std::string run_record_json(const Scene& scene, const Rendering& rendering, cons
                          {"photons_emitted", counters.photons_emitted},
                          {"photons_stored", counters.photons_stored},
                          {"gather_queries", counters.gather_queries}}},
-                       {"views", views_array(rendering)},
+                       {"views", views_array(rendering, scene)},
                        {"ledger", ledger_object(rendering.ledger)},
                        {"beams", beams_object(rendering.beam_remainder)},
                        {"light_routes", routes_array(scene, rendering.routes)},
+                       {"camera_ledger", camera_ledger_object(rendering.camera_ledger, scene)},
                        {"warnings", rendering.warnings},
                        {"interrupted", rendering.interrupted}};
   return record.dump(2) + "\n";

@@ -15,7 +15,7 @@
 namespace vitrail {
 namespace {
 
-// Of the photons' light: the error in light that closed forms are held to.
+// Of the photons' light, or of what the camera sees: the error in light that closed forms are held to.
 constexpr double kTruncatedShare = 0.005;
 
 bool has_photon_pass(const Scene& scene) { return scene.plan.caustic && scene.settings.photons > 0; }
@@ -134,6 +134,15 @@ void count_in_pixels(const World& world, const PhotonMaps& maps, const Workers& 
   }
 }
 
+// Keep what the limits of the scene cut from the looks of a picture, and warn of it.
+void book_cuts(const Canvas& canvas, const Scene& scene, CameraLedger& ledger, std::vector<std::string>& warnings) {
+  ledger = canvas.cost.ledger;
+  const std::string warning = warning_of(ledger, scene, kTruncatedShare);
+  if (warning.empty()) return;
+  const std::string& view = canvas.picture.view;
+  warnings.push_back(view.empty() ? warning : "view `" + view + "`: " + warning);
+}
+
 // Add up what the pictures cost, and note it with each view.
 void add_costs(const std::vector<Canvas>& canvases, Rendering& result) {
   for (const Canvas& canvas : canvases) {
@@ -201,6 +210,9 @@ Rendering render(const Scene& scene, const Workers& workers) {
   trace_camera({world, maps}, workers, canvases);
   if (counts_in_pixels(scene)) count_in_pixels(world, maps.caustic, workers, canvases);
   add_costs(canvases, result);
+  book_cuts(canvases[0], scene, result.camera_ledger, result.warnings);
+  for (std::size_t v = 0; v < result.views.size(); ++v)
+    book_cuts(canvases[v + 1], scene, result.views[v].camera_ledger, result.warnings);
   result.interrupted = workers.monitor.interrupted();
   return result;
 }

@@ -7,6 +7,7 @@
 #include "base/workers.h"
 #include "geometry/world.h"
 #include "photon/photon_maps.h"
+#include "render/camera_ledger.h"
 #include "render/film.h"
 
 namespace vitrail {
@@ -25,6 +26,7 @@ struct Counters {
 struct RenderedView {
   std::string name;
   Film film;
+  CameraLedger camera_ledger{};
   std::uint64_t camera_rays = 0;
   double camera_cpu_s = 0, gather_cpu_s = 0;
 };
@@ -36,6 +38,7 @@ struct Rendering {
   Ledger ledger{};
   BeamRemainder beam_remainder{};
   std::vector<LightRoute> routes{};
+  CameraLedger camera_ledger{};  // of the scene's own picture
   CpuSeconds cpu_s{};
   Counters counters{};
   std::vector<std::string> warnings{};

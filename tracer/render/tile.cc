@@ -51,16 +51,18 @@ class PixelRenderer {
 
   void render(int x, int y, std::uint32_t pixel_in_tile, std::vector<GatherRequest>& requests) {
     const double share = 1.0 / sampler_.per_half;
-    for (int half = 0; half < (sampler_.shared ? 1 : 2); ++half) {
+    bool shared = sampler_.shared;
+    for (int half = 0; half < (shared ? 1 : 2); ++half) {
       HalfPixel sum;
       for (int sample = 0; sample < sampler_.per_half; ++sample) {
         trace_sample(x, y, half, sample);
+        shared = shared && !result_.left_to_chance;
         for (int l = 0; l < kLayerCount; ++l) sum.layers[l] += result_.radiance.layers[l];
         for (GatherRequest request : result_.requests) {
           request.weight = request.weight * share;
           request.pixel = pixel_in_tile;
           request.half = static_cast<std::uint8_t>(half);
-          request.both_halves = sampler_.shared;
+          request.both_halves = shared;
           requests.push_back(request);
         }
       }
@@ -68,7 +70,7 @@ class PixelRenderer {
         for (Rgb& layer : sum.layers) layer = layer * share;
       }
       film_.add(half, x, y, sum);
-      if (sampler_.shared) film_.add(1, x, y, sum);
+      if (shared) film_.add(1, x, y, sum);
     }
   }
 
@@ -82,8 +84,9 @@ class PixelRenderer {
     path.ray = camera_ray(picture_.camera, picture_.image, x + dx, y + dy);
     const bool from_one_place = picture_.camera.kind == CameraKind::perspective;
     path.media = from_one_place ? media_ : world_.intersector.media_at(path.ray.origin);
+    path.branch = stream_of(seed, Purpose::kCameraBranch, pixel, static_cast<std::uint64_t>(half));
     path.half = half;
-    // Where nothing is random nothing is drawn.
+    // Where nothing is random but which weak branches are followed, nothing else is drawn.
     if (!sampler_.shared) {
       const auto stream = [&](Purpose purpose) {
         return stream_of(seed, purpose, pixel, static_cast<std::uint64_t>(half));
@@ -96,6 +99,8 @@ class PixelRenderer {
     tracer_.trace(path, result_);
     statistics_.counters.camera_rays += result_.rays;
     statistics_.counters.shadow_rays += result_.shadow_rays;
+    statistics_.ledger.add_look();
+    for (const CutBranch& branch : result_.cut) statistics_.ledger.add(branch);
   }
 
   const LitWorld& world_;
@@ -129,6 +134,7 @@ void gather(const PhotonMaps& maps, const Tile& tile, const std::vector<GatherRe
 
 TileStatistics& TileStatistics::operator+=(const TileStatistics& other) {
   counters += other.counters;
+  ledger += other.ledger;
   camera_cpu_s += other.camera_cpu_s;
   gather_cpu_s += other.gather_cpu_s;
   return *this;
@@ -153,6 +159,7 @@ TileStatistics render_tile(const LitWorld& world, const Picture& picture, const 
   for (int y = tile.y0; y < tile.y1; ++y) {
     for (int x = tile.x0; x < tile.x1; ++x) renderer.render(x, y, pixel++, requests);
   }
+  statistics.ledger.close({tile.x0, tile.y0, tile.x1, tile.y1});
   const double traced = thread_cpu_s();
   statistics.camera_cpu_s = traced - start;
   gather(world.maps.caustic, tile, requests, film);

@@ -15,6 +15,7 @@ std::vector<Tile> tiles_of(const Image& image);
 
 struct TileStatistics {
   Counters counters;
+  CameraLedger ledger;
   double camera_cpu_s = 0, gather_cpu_s = 0;
   TileStatistics& operator+=(const TileStatistics& other);
 };

@@ -4,14 +4,12 @@
 #include <vector>
 
 #include "material/roughen.h"
+#include "render/branch_choice.h"
+#include "render/camera_ledger.h"
 #include "render/film.h"
 #include "render/indirect_light.h"
 
 namespace vitrail {
-
-/// A branch below this share of the camera ray is not followed: in a glass ball or slab all that is cut stays below
-/// 1e-5 of the light behind it.
-inline constexpr double kLeastCameraShare = 1e-6;
 
 /// A surface that a camera path ended on, to be asked for the light that photons brought.
 struct GatherRequest {
@@ -28,7 +26,8 @@ struct CameraPath {
   MediumSet media;  // the solids the camera is in
   SampleDraw draw;  // random numbers of this sample: for lights ...
   Stream rough;     // ... for rough faces ...
-  Stream gather;    // ... and for the final gather
+  Stream gather;    // ... for the final gather ...
+  Stream branch;    // ... and for what chance leaves out
   int half = 0;     // whose photons are asked for indirect light
   int light_samples = 1;
 };
@@ -36,7 +35,9 @@ struct CameraPath {
 struct PathResult {
   HalfPixel radiance;                   // without what is to be gathered
   std::vector<GatherRequest> requests;  // pixel and half left to the caller
+  std::vector<CutBranch> cut;           // what the limits of the scene ended
   std::uint64_t rays = 0, shadow_rays = 0;
+  bool left_to_chance = false;  // some branch was: another path through the same place may see something else
 };
 
 /// A camera path between two surfaces.
@@ -44,9 +45,13 @@ struct CameraVertex {
   PathState path;          // the weight is the throughput
   bool scattered = false;  // has met a rough face
   Layer layer = Layer::diffusion;
+  Stream branch;     // names this place of the tree
+  double share = 1;  // of the look, by how light divides at the faces: absorption and tints leave it alone
+  double part = 1;   // of one look, after it was divided into bands or rough rays
 };
 
-/// Follow every branch of a camera path to its end. Clears and refills `result`, which the caller keeps for its memory.
+/// Follow the branches of a camera path to their ends: those that matter, and by chance some that do not
+/// (`branch_choice.h`). Clears and refills `result`, which the caller keeps for its memory.
 class CameraTracer {
  public:
   explicit CameraTracer(const LitWorld& world);
@@ -56,10 +61,18 @@ class CameraTracer {
   // In these the weight of the vertex is the throughput at the arrival.
   void arrive(CameraVertex& vertex, const Arrival& arrival, PathResult& result);
   void shade(const CameraVertex& vertex, const Arrival& arrival, PathResult& result);
-  void scatter(const CameraVertex& vertex, const Arrival& arrival, const Interaction& event);
-  void divide(const CameraVertex& vertex, const Arrival& arrival, const Interaction& event);
-  void send(const CameraVertex& from, const Arrival& arrival, const Branch& branch);
+  void follow_band(const CameraVertex& vertex, const Arrival& arrival, std::uint32_t band, double factor,
+                   PathResult& result);
+  void follow_one_band(const CameraVertex& vertex, const Arrival& arrival, PathResult& result);
+  void scatter(const CameraVertex& vertex, const Arrival& arrival, const Interaction& event, PathResult& result);
+  void divide(const CameraVertex& vertex, const Arrival& arrival, const Interaction& event, PathResult& result);
+  CarriedShares shares_of(const CameraVertex& vertex, const Interaction& event) const;
+  double chance_at(const CameraVertex& vertex, PathResult& result, int draw) const;
+  bool survives(CameraVertex& vertex, PathResult& result) const;
+  void cut(const CameraVertex& vertex, const Interaction& event, Lobe lobe, double share, PathResult& result) const;
+  void send(const CameraVertex& from, const Arrival& arrival, const Branch& branch, double share, double factor);
   Rgb indirect(const CameraVertex& vertex, const ShadingPoint& at) const;
+  int light_samples(const CameraVertex& vertex) const;
   bool is_binned(const CameraVertex& vertex) const;
 
   const LitWorld& world_;
@@ -67,6 +80,7 @@ class CameraTracer {
   bool in_bins_;  // photons on what the camera sees directly are counted in its pixels
   CameraPath path_;
   double ior_at_camera_ = 1;
+  double rays_ = 0;  // of this look so far; those of a part count in part
   std::vector<CameraVertex> pending_;
 };
 

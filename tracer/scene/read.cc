@@ -125,7 +125,8 @@ Plan read_plan(const JsonValue& value) {
 Settings read_settings(const JsonValue& value) {
   Settings settings;
   value.object({"samples", "photons", "gather_radius_m", "seed", "rough_samples", "final_gather_rays",
-                "memory_limit_mb", "solver"});
+                "memory_limit_mb", "solver"},
+               {"branch_share"});
   settings.samples = read_samples(value.at("samples"));
   settings.photons = static_cast<std::uint64_t>(value.at("photons").integer(0, std::int64_t{1} << 40));
   settings.gather_radius_m = value.at("gather_radius_m").number(Range::not_negative());
@@ -138,6 +139,7 @@ Settings read_settings(const JsonValue& value) {
                                                        {"photon_map", Solver::photon_map},
                                                        {"light_bins", Solver::light_bins},
                                                        {"beams", Solver::beams}});
+  if (value.has("branch_share")) settings.branch_share = value.at("branch_share").number(Range::share());
   return settings;
 }
 

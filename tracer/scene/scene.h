@@ -189,6 +189,7 @@ struct Settings {
   int rough_samples = 1, final_gather_rays = 0;
   double memory_limit_mb = 0;  // 0: no limit
   Solver solver = Solver::automatic;
+  double branch_share = 1e-2;  // both ways on are followed from this share of a look on; below it, one by chance
 };
 
 struct Scene {

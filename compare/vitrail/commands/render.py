@@ -83,6 +83,8 @@ def _by_passes(
 
 
 def _say_files(record: dict[str, Any], out: Path, job: Job, png: bool, as_json: bool) -> None:
+    for warning in record.get("warnings", ()):
+        typer.echo(f"warning: {warning}", err=True)
     files = [out, out.with_suffix(".run.json")] + ([_picture(out, job)] if png else [])
     print_json(record) if as_json else typer.echo("\n".join(str(file) for file in files))
 

@@ -28,6 +28,9 @@ _LEVELS: dict[Quality, _Level] = {
     Quality.REFERENCE: _Level(samples=64, photons=10_000_000, final_gather_rays=256),
 }
 
+BRANCH_SHARE = 0.01
+"""The tracer follows both ways on from this share of a look on; measured in docs/decisions/0039."""
+
 
 def settings_for(world: World, plan: Plan, quality: Quality = Quality.NORMAL, **overrides: object) -> Settings:
     """Settings for a scene at a quality; ``overrides`` replace any field by name, typed as text or as a number.
@@ -73,5 +76,6 @@ def _usual(scene: Scene, plan: Plan, quality: Quality) -> dict[str, object]:
         "final_gather_rays": level.final_gather_rays if is_indirect else 0,
         "memory_limit_mb": 4096,
         "solver": Solver.PHOTON_MAP,
+        "branch_share": BRANCH_SHARE,
         "reference_mode": ReferenceMode.AUTO,
     }

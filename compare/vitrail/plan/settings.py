@@ -81,6 +81,7 @@ class Settings(BaseModel):
     final_gather_rays: Annotated[Whole, Field(ge=0, le=10**6)]
     memory_limit_mb: Annotated[Whole, Field(ge=1, le=2**53)]
     solver: Solver
+    branch_share: Annotated[float, Field(ge=0, le=1, allow_inf_nan=False)]
     reference_mode: ReferenceMode
 
     def as_record(self) -> dict[str, Any]:
@@ -111,6 +112,8 @@ def _fault(error: ErrorDetails) -> Fault:
         close = nearest(str(error["input"]), choices)
         what = f"is not one of {', '.join(choices)}"
         return Fault(what, f"did you mean `{close}`?" if close else "choose one of them", (key,))
+    if key == "branch_share":
+        return Fault("is not a share of a look", "write a number from 0 to 1", (key,))
     if kinds is float:
         what = "is not above 0" if kind == "greater_than" else "is not a length"
         return Fault(what, "write a length in metres above 0", (key,))

@@ -132,7 +132,14 @@ class Priced(FormulaEngine):
         process = {"cpu_s": 2.0, "wall_s": 2.0, "peak_memory_bytes": 1}
         ledger = {name: [0, 0, 0] for name in ("emitted", "stored", "absorbed", "escaped", "truncated")}
         settings = {"settings": {"solver": "photon_map"}}
-        record = {**made.record, **whole, **settings, "process": process, "ledger": {**ledger, "closure": 0}}
+        record = {
+            **made.record,
+            **whole,
+            **settings,
+            "process": process,
+            "ledger": {**ledger, "closure": 0},
+            "camera_ledger": {"cut": 0},
+        }
         return Rendering(made.image_path, record)
 
 

@@ -112,4 +112,5 @@ def _settings(settings: Settings) -> Json:
         "final_gather_rays": settings.final_gather_rays,
         "memory_limit_mb": settings.memory_limit_mb,
         "solver": settings.solver,
+        "branch_share": settings.branch_share,
     }

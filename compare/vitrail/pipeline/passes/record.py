@@ -1,4 +1,4 @@
-"""The run record of many passes: work is added up, memory is the most of any, the ledger is the mean."""
+"""The run record of many passes: work is added up, memory is the most of any, the ledger of photons is the mean."""
 
 from __future__ import annotations
 
@@ -26,6 +26,7 @@ def with_record(total: Mapping[str, Any], record: Mapping[str, Any], passes: int
         "peak_memory_bytes": max(total["peak_memory_bytes"], record["peak_memory_bytes"]),
         "counters": _added(total["counters"], record["counters"]),
         "ledger": _mean_ledger(total["ledger"], record["ledger"], passes),
+        "camera_ledger": _worse(total["camera_ledger"], record["camera_ledger"]),
         "warnings": [*warnings, *(each for each in record["warnings"] if _without_numbers(each) not in known)],
         "process": {
             **_added(total["process"], record["process"]),
@@ -49,6 +50,11 @@ def _mean_ledger(total: Mapping[str, Any], more: Mapping[str, Any], passes: int)
         name: [(a * passes + b) / (passes + 1) for a, b in zip(total[name], more[name], strict=True)] for name in LEDGER
     }
     return {**means, "closure": max(total["closure"], more["closure"])}
+
+
+def _worse(one: Mapping[str, Any], other: Mapping[str, Any]) -> Mapping[str, Any]:
+    """The ledger of camera paths of the pass that lost more to the limits; passes differ by noise alone."""
+    return one if one["cut"] >= other["cut"] else other
 
 
 def _without_numbers(words: str) -> str:
