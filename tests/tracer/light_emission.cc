@@ -120,5 +120,32 @@ TEST(Charts, ShareOutPhotonsByPower) {
   EXPECT_EQ(charts[1].count, 200u);
 }
 
+/// A collimated rectangle sends photons from where its light may meet the target, all of it and little else.
+TEST(Emission, OfACollimatedRectangleIsAimed) {
+  const Targets targets = one_target();
+  const BoundingSphere& bound = targets.targets[0].bound;
+  Scene scene;
+  const auto charts_of_lamp_at = [&](Vec3 center) {
+    scene.lights = {{"lamp", AreaLight{RectangleShape{center, {4, 0, 0}, {0, 0, -4}}, true, {}, {2, 2, 2}}}};
+    return make_charts(scene, targets, kCount);
+  };
+  const std::vector<Chart> charts = charts_of_lamp_at({1, 5, 1});
+  ASSERT_EQ(charts.size(), 1u);
+  // The square around the sphere is 1 m wide, and E = 2 W/m2 falls on it.
+  EXPECT_NEAR(charts[0].power.r, 2, 1e-7);
+  std::uint32_t met = 0;
+  for (std::uint32_t i = 0; i < kCount; ++i) {
+    const auto u = sobol_2d(stream_of(1, Purpose::kEmissionPosition), i);
+    const Emission photon = emit(charts[0], {unit_point(u[0], u[1]), {}});
+    const Vec3 offset = photon.ray.origin - bound.center;
+    met += std::hypot(offset.x, offset.z) < bound.radius ? 1 : 0;
+  }
+  EXPECT_NEAR(met / static_cast<double>(kCount), kPi / 4, 1e-3);
+
+  // Half of the target outside the lamp's beam, and all of it.
+  EXPECT_NEAR(charts_of_lamp_at({4.3, 5, -0.2})[0].power.r, 1, 1e-7);
+  EXPECT_TRUE(charts_of_lamp_at({9, 5, 9}).empty());
+}
+
 }  // namespace
 }  // namespace vitrail

@@ -164,10 +164,11 @@ TEST(Beams, LeaveAFacetedMeshToPhotons) {
   ASSERT_EQ(maps.statistics.routes.size(), 1u);
   EXPECT_GT(maps.statistics.routes[0].torn, 0.25);
 
-  // From above it is a polygon; 5e4 photons a half know its area to 1 / 5e4^.8.
+  // From above it is a polygon. Its edges cross some 900 of the cells that 5e4 photons of a half are stratified in, and
+  // chance decides about half a photon in each: 15 photons or 4e-4 of the area. Allow three of these.
   const double area = kSteps * std::sin(kPi / kSteps);
   const Ledger& ledger = maps.statistics.ledger;
-  EXPECT_NEAR((ledger.stored.r + ledger.truncated.r) / area, 1, 2e-4);
+  EXPECT_NEAR((ledger.stored.r + ledger.truncated.r) / area, 1, 1.2e-3);
 }
 
 /// Few enough facets for the rays: one prism, all of whose light lands, through beams as well.

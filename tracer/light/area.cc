@@ -1,5 +1,7 @@
 #include "light/area.h"
 
+#include <algorithm>
+
 #include "light/sampling.h"
 
 namespace vitrail {
@@ -19,6 +21,35 @@ Lamp lamp_of(const DiscShape& d) {
 
 Lamp lamp_of(const AreaLight& light) {
   return std::visit([](const auto& shape) { return lamp_of(shape); }, light.shape);
+}
+
+// Where along one edge of a rectangle, from -1 to 1, its normals may meet the target: inside its sphere and its box.
+struct Stretch {
+  double low, high;
+  double middle() const { return (low + high) / 2; }
+  double half() const { return std::max(0.0, high - low) / 2; }
+};
+
+Stretch stretch_along(Vec3 edge, Vec3 center, const Target& target) {
+  const Vec3 along = edge * (1 / length_squared(edge));
+  const double at = dot(target.bound.center - center, along), reach = target.bound.radius * length(along);
+  double low = kInfinity, high = -kInfinity;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 p{corner & 1 ? target.box.max.x : target.box.min.x, corner & 2 ? target.box.max.y : target.box.min.y,
+                 corner & 4 ? target.box.max.z : target.box.min.z};
+    low = std::min(low, dot(p - center, along));
+    high = std::max(high, dot(p - center, along));
+  }
+
+  // Rounding must leave nothing out: widen by a billionth of the lamp.
+  constexpr double kMargin = 0x1p-30;
+  return {std::max({-1.0, low - kMargin, at - reach - kMargin}), std::min({1.0, high + kMargin, at + reach + kMargin})};
+}
+
+// The part of a rectangle whose normals may meet the target; no area where none does.
+Window part_before(const Window& lamp, const Target& target) {
+  const Stretch u = stretch_along(lamp.u, lamp.center, target), v = stretch_along(lamp.v, lamp.center, target);
+  return {lamp.center + lamp.u * u.middle() + lamp.v * v.middle(), lamp.u * u.half(), lamp.v * v.half(), false};
 }
 
 bool contains(const Window& window, Vec3 point) {
@@ -47,7 +78,8 @@ Illumination illuminate(const AreaLight& light, Vec3 point, const UnitPoint& sam
 }
 
 AreaChart aim(const AreaLight& light, const Target& target) {
-  const auto [window, normal] = lamp_of(light);
+  const auto [lamp, normal] = lamp_of(light);
+  const Window window = light.collimated && !lamp.round ? part_before(lamp, target) : lamp;
   AreaChart chart{window, normal, light.collimated, target.bound, light.collimated ? light.irradiance : light.radiance,
                   {}};
   const double distance = length(target.bound.center - window.center);

@@ -8,7 +8,8 @@ namespace vitrail {
 
 Illumination illuminate(const AreaLight& light, Vec3 point, const UnitPoint& sample);
 
-/// Photons from everywhere on the lamp: into the cone around the target, or all along the normal.
+/// Photons into the cone around the target from everywhere on the lamp; or along the normal, and then of a rectangle
+/// only from the part before the target.
 struct AreaChart {
   Window lamp;
   Vec3 normal;
