@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import itertools
-
 from vitrail.check.findings import Findings
+from vitrail.geometry.near_pairs import near_pairs
 from vitrail.geometry.overlap import overlap
 from vitrail.geometry.shapes.flat import PlacedPlane
 from vitrail.geometry.world import World
@@ -25,8 +24,8 @@ def check_solids(findings: Findings) -> None:
             what = f"`{item.name}` transmits, but a {item.shape.key} encloses nothing for light to travel in"
             remedy = "use a solid, for example a thin `box`"
             findings.error(what, remedy, "objects", index, item.shape.key)
-    for first, second in itertools.combinations(glasses, 2):
-        _check_priority(findings, world, first, second)
+    for one, other in near_pairs([world.solids[glass].bounds for glass in glasses]):
+        _check_priority(findings, world, glasses[one], glasses[other])
     for index, solid in enumerate(world.solids):
         if isinstance(solid, PlacedPlane) and not world.material(index).is_transmissive:
             _check_cut(findings, world, index, solid, glasses)

@@ -19,10 +19,12 @@ from vitrail.geometry.bounds import Bounds, around, together
 from vitrail.geometry.camera import View
 from vitrail.geometry.contact import is_area, shared_points
 from vitrail.geometry.lamp import bounds_of_light, place_of
+from vitrail.geometry.near_pairs import near_pairs
 from vitrail.geometry.overlap import Overlap, overlap
 from vitrail.geometry.patch import bounds_of_patch
 from vitrail.geometry.placement import place
 from vitrail.geometry.solid import Solid
+from vitrail.geometry.touch import TOUCH
 from vitrail.scene.load import Loaded
 from vitrail.scene.model import Material, Object, Scene
 
@@ -113,18 +115,19 @@ class World:
     @cached_property
     def contacts(self) -> tuple[tuple[int, int], ...]:
         """Pairs of a glass and what a face of it lies on; of two glasses the one that gives way comes first."""
-        solids = range(len(self.solids))
-        glasses = [index for index in solids if self.solids[index].is_closed and self.material(index).is_transmissive]
+        glasses = {index for index, solid in enumerate(self.solids) if self._is_glass(index) and solid.is_closed}
+        ranks = {glass: (self.priority(glass), glass) for glass in glasses}
 
         def gives_way(glass: int, other: int) -> bool:
-            return other not in glasses or (self.priority(glass), glass) < (self.priority(other), other)
+            return glass in glasses and (other not in glasses or ranks[glass] < ranks[other])
 
-        return tuple(
-            (glass, other)
-            for glass in glasses
-            for other in solids
-            if other != glass and gives_way(glass, other) and self._lie_on_each_other(glass, other)
-        )
+        slack = TOUCH * max((max(1.0, solid.number_size_m) for solid in self.solids), default=1.0)
+        near = list(near_pairs([solid.bounds for solid in self.solids], slack))
+        both = sorted([*near, *((second, first) for first, second in near)])
+        return tuple(pair for pair in both if gives_way(*pair) and self._lie_on_each_other(*pair))
+
+    def _is_glass(self, index: int) -> bool:
+        return self.material(index).is_transmissive
 
     def _lie_on_each_other(self, a: int, b: int) -> bool:
         """Whether the surfaces of two solids that share no room share an area."""
