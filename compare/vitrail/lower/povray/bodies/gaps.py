@@ -10,6 +10,7 @@ from collections.abc import Collection
 from dataclasses import dataclass
 
 from vitrail.geometry.distance import surface_distance
+from vitrail.geometry.near_pairs import near_pairs
 from vitrail.geometry.shapes.sphere import PlacedSphere
 from vitrail.geometry.solid import Solid
 from vitrail.geometry.world import World
@@ -53,12 +54,9 @@ def with_gaps(world: World, units: Normalisation, contacts: Collection[tuple[int
     """Shrink every transmissive solid that touches something else, but for ``contacts``, which reach inside."""
     found: list[Solid] = []
     shrunk: list[Shrunk] = []
+    near = _near(world, max(FOR_LOOKS.near, FOR_SHADOWS.near) / units.scale)
     for index, solid in enumerate(world.solids):
-        others = [
-            other
-            for other in range(len(world.solids))
-            if other != index and (index, other) not in contacts and apart(world, index, other)
-        ]
+        others = [other for other in near[index] if (index, other) not in contacts and apart(world, index, other)]
         material = world.material(index)
         gap = FOR_SHADOWS if material.is_diffuse and not isinstance(solid, PlacedSphere) else FOR_LOOKS
         if material.is_transmissive and _touches_any(world, index, others, gap.near / units.scale):
@@ -69,6 +67,15 @@ def with_gaps(world: World, units: Normalisation, contacts: Collection[tuple[int
                 solid = smaller
         found.append(solid)
     return Placement(tuple(found), tuple(shrunk))
+
+
+def _near(world: World, near_m: float) -> list[list[int]]:
+    """For every solid the others whose boxes come as near as that: no other touches it."""
+    found: list[list[int]] = [[] for _ in world.solids]
+    for first, second in near_pairs([solid.bounds for solid in world.solids], near_m):
+        found[first].append(second)
+        found[second].append(first)
+    return [sorted(others) for others in found]
 
 
 def apart(world: World, a: int, b: int) -> bool:
