@@ -19,6 +19,7 @@ MATERIALS = """
   red: {transmission: [0.9, 0.3, 0.1], ior: 1.5}
   flint: {transmission: 1, ior: 1.6, dispersion: 0.032}
   barely_flint: {transmission: 1, ior: 1.6, dispersion: 1e-14}
+  faint_flint: {transmission: 1, ior: 1.6, dispersion: 1e-12}
   bk7: {transmission: 1, glass: N-BK7}
   frosted: {transmission: 1, ior: 1.5, roughness: 0.3}
   milky: {diffuse: 0.5, transmission: 0.5, ior: 1.5}

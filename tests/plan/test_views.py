@@ -21,8 +21,9 @@ from vitrail.plan.analyse import analyse
 from vitrail.plan.budget import settings_for
 from vitrail.plan.settings import Quality
 from vitrail.plan.views import COARSE, FINE, LEAST_MARGIN, PIXELS, THIN, ObservationView, views_of
-from vitrail.scene.load import load
+from vitrail.scene.load import load, load_text
 from vitrail.scene.model import Scene
+from vitrail.scene.print import print_scene
 
 SCENES = sorted((Path(__file__).parents[2] / "scenes").rglob("*.yaml"))
 HIGH = "{position: [3, 8, 5], look_at: [0, 0, 0], fov_deg: 40}"
@@ -171,6 +172,17 @@ def test_a_job_with_views_gathers_as_fine_as_its_patches_whatever_its_image() ->
     assert job.settings.gather_radius_m < plain.settings.gather_radius_m
     asked = prepare(load(ball), Quality.NORMAL, {"gather_radius_m": 0.25, "samples": 7}).with_views()
     assert (asked.settings.gather_radius_m, asked.settings.samples) == (0.25, 7)
+
+
+def test_what_only_a_view_is_fine_enough_to_show_is_required() -> None:
+    """A spread of colours below a pixel of the picture is left out there, and many pixels wide in a view."""
+    entry = observation("spot", u="[0.005, 0, 0]").replace("[0, 0, -0.5]", "[0, 0, -0.005]")
+    scene = ball_over_floor("faint_flint", camera=HIGH, observe=(entry,))
+    plain = prepare(load_text(print_scene(scene)))
+    job = plain.with_views()
+    assert not plain.plan.requires(Phenomenon.DISPERSION)
+    assert job.plan.requires(Phenomenon.DISPERSION)
+    assert job.plan.chain.transmissions >= plain.plan.chain.transmissions
 
 
 @pytest.mark.parametrize("path", SCENES, ids=lambda path: path.stem)

@@ -41,6 +41,7 @@ class Job:
     settings: Settings
     overrides: Mapping[str, object] = field(default_factory=dict)
     views: tuple[ObservationView, ...] = ()
+    planner: Callable[[World], Plan] = field(default=analyse, repr=False)
 
     @property
     def scene(self) -> Scene:
@@ -56,10 +57,16 @@ class Job:
 
         The scene's own picture is then for people, and for whoever looks for differences outside the patches.
         """
-        settings = settings_for_views(self.world, self.plan, self.settings.quality, **self.overrides)
-        views = views_of(self.world, self.plan, settings)
+        aimed = views_of(self.world, self.plan, self.settings)
+        # A view has finer pixels than the picture: what stays below one there may be seen here.
+        plan = self.plan.with_plans([self.planner(self._seen_by(view)) for view in aimed])
+        settings = settings_for_views(self.world, plan, self.settings.quality, **self.overrides)
+        views = views_of(self.world, plan, settings)
         image = for_people(self.scene.image)
-        return replace(self.with_scene(changed(self.scene, image=image)), settings=settings, views=views)
+        return replace(self.with_scene(changed(self.scene, image=image)), plan=plan, settings=settings, views=views)
+
+    def _seen_by(self, view: ObservationView) -> World:
+        return self.world.with_scene(changed(self.scene, camera=view.camera, image=view.image))
 
     def only(self, samples: Mapping[str, int]) -> Job:
         """The same job for some views alone, each with so many samples of a pixel; its picture is a token."""
@@ -117,4 +124,4 @@ def prepare(
     world = World.of(loaded)
     plan = planner(world)
     asked = dict(overrides or {})
-    return Job(loaded, world, plan, settings_for(world, plan, quality, **asked), asked)
+    return Job(loaded, world, plan, settings_for(world, plan, quality, **asked), asked, planner=planner)

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
 
 from vitrail.base.phenomenon import Phenomenon
 
@@ -48,6 +48,18 @@ class Plan:
     caustic_paths: tuple[CausticPath, ...]
     chain: Chain
     warnings: tuple[str, ...] = field(default=())
+
+    def with_plans(self, others: Sequence[Plan]) -> Plan:
+        """What this plan or any of ``others`` requires: the same scene is looked at by several cameras."""
+        plans = (self, *others)
+        entries = {
+            phenomenon: next((plan.entries[phenomenon] for plan in plans if plan.requires(phenomenon)), entry)
+            for phenomenon, entry in self.entries.items()
+        }
+        paths = tuple(dict.fromkeys(path for plan in plans for path in plan.caustic_paths))
+        longest = max((plan.chain for plan in plans), key=lambda chain: (chain.transmissions, chain.reflections))
+        chain = replace(longest, reflections=max(plan.chain.reflections for plan in plans))
+        return replace(self, entries=entries, caustic_paths=paths, chain=chain)
 
     def requires(self, phenomenon: Phenomenon) -> bool:
         return self.entries[phenomenon].required
