@@ -11,9 +11,15 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+import numpy as np
+
 from vitrail.base.vector import Vec, length, scale, subtract
 from vitrail.geometry.bounds import together
+from vitrail.geometry.shapes.axial import PlacedCone, PlacedCylinder
+from vitrail.geometry.shapes.box import PlacedBox
 from vitrail.geometry.shapes.mesh import PlacedMesh
+from vitrail.geometry.shapes.sphere import PlacedSphere
+from vitrail.geometry.touch import TOUCH
 from vitrail.geometry.world import World
 from vitrail.lower.povray.bodies.curvature import curved_receivers, lost_share
 from vitrail.lower.povray.refusals.refusal import NotTranslatable, Refusals
@@ -30,6 +36,10 @@ WIDEST_EXTENT = 8192.0
 """Extent in units up to which thin features may push the scale: single precision still places photons to 5e-4 units."""
 SMALLEST_IN_METRES = 1.0
 """Extent in metres from which a scene may stay in metres: gaps are then 1e-4 of it."""
+HOLLOWED = (PlacedSphere, PlacedCylinder, PlacedCone, PlacedBox)
+"""Shapes whose walls are looked at."""
+ALIKE = 3
+"""Points of a wall: fewer lie near the line in which two surfaces cross, where nothing is thin."""
 FARTHEST_CAMERA = 1.0e5
 """Distance of the camera in units up to which images are exact [P 7]."""
 
@@ -102,10 +112,30 @@ def _bent_share(world: World, gather_radius_m: float, factor: float) -> float:
 
 
 def _features(world: World) -> Iterator[tuple[float, int]]:
-    """The smallest thickness of each solid object, metres, with its index; the walls of a mesh are not looked at."""
+    """The smallest thickness of each solid object, metres, and its walls; those of a mesh are not looked at."""
     for index, solid in enumerate(world.solids):
         if not isinstance(solid, PlacedMesh) and math.isfinite(thickness := solid.thickness_m):
             yield thickness, index
+            yield from ((wall, index) for wall in _walls(world, index))
+
+
+def _walls(world: World, index: int) -> Iterator[float]:
+    """What is left of a solid, metres, beside one of its own shape that takes room from it: tubes, bubbles, tanks.
+
+    Its thickness is that of the room where three points of its surface are as near.
+    """
+    solid = world.solids[index]
+    for other, taker in enumerate(world.solids):
+        is_hollow = isinstance(solid, HOLLOWED) and type(taker) is type(solid) and other != index
+        if not is_hollow or not world.displaces(other, index):
+            continue
+        points = np.array(solid.surface_points(taker), float).reshape(-1, 3)
+        outside = points[~np.asarray(taker.is_inside(points), bool)] if len(points) else points
+        slack = TOUCH * max(solid.number_size_m, taker.number_size_m)
+        # Faces that lie on each other leave no wall.
+        away = sorted(each for each in taker.distances([(x, y, z) for x, y, z in outside.tolist()]) if each > slack)
+        if len(away) >= ALIKE:
+            yield away[ALIKE - 1]
 
 
 def _power_of_two_below(value: float) -> float:
