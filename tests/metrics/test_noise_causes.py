@@ -35,13 +35,23 @@ def tiles() -> np.ndarray:
 
 
 def test_each_cause_is_found_alone(photons: np.ndarray, tiles: np.ndarray) -> None:
-    slopes = sum(np.gradient(tiles, axis=axis) ** 2 for axis in (0, 1))
+    slopes = sum(np.gradient(photons + tiles, axis=axis) ** 2 for axis in (0, 1))
     for name, field in {"photons": photons, "edges": slopes, "rays": tiles**2}.items():
         found = noise_causes(drawn(1e-3 * field), grey(photons + tiles), {"caustic": grey(photons)})
         whole = found.photons + found.edges + found.rays
         # The variance of a mean of n squares is 2/n of its square: 5 % of what 1000 lit cells say.
         assert getattr(found, name) == pytest.approx(1e-3 * field.mean(), rel=0.15)
         assert getattr(found, name) > 0.9 * whole
+
+
+def test_the_rim_of_a_sharp_spot_is_an_edge_of_its_own() -> None:
+    """Light that photons brought evenly into a disc: samples at its rim are noisy besides."""
+    rows, columns = np.indices(CELLS)
+    spot = np.where((rows - 40) ** 2 + (columns - 45) ** 2 < 20**2, 5.0, 0.0)
+    slopes = sum(np.gradient(spot, axis=axis) ** 2 for axis in (0, 1))
+    found = noise_causes(drawn(0.1 * slopes + 1e-2 * spot), grey(spot), {"caustic": grey(spot)}, draws_rays=False)
+    assert found.edges == pytest.approx(0.1 * slopes.mean(), rel=0.3)
+    assert found.photons == pytest.approx(1e-2 * spot.mean(), rel=0.3)
 
 
 def test_two_causes_together_keep_their_shares(photons: np.ndarray, tiles: np.ndarray) -> None:

@@ -1,9 +1,9 @@
 """What the noise of a patch comes from: photons, edges between samples, or rays that are drawn at random.
 
 Each cause is strong in other places. The variance of a photon estimate is proportional to the light that photons
-brought. A sample beside an edge sees one side or the other, so its variance is at most what the gradient of the
-remaining light allows. Rays of rough glass and of lamps are drawn anew everywhere: their variance follows the square
-of that light. What the halves differ by is fitted by these three, none below zero.
+brought. A sample beside an edge, also that of a caustic, sees one side or the other, so its variance is at most what
+the gradient of the light allows. Rays of rough glass and of lamps are drawn anew everywhere: their variance follows the
+square of the light that no photon brought. What the halves differ by is fitted by these three, none below zero.
 """
 
 from __future__ import annotations
@@ -41,7 +41,8 @@ def noise_causes(
     """
     photons = np.abs(layers.get(PHOTON_LAYER, np.zeros_like(light))).mean(axis=-1)
     rest = np.maximum(light.mean(axis=-1) - photons, 0.0)
-    slopes = [np.gradient(rest, axis=axis) if rest.shape[axis] > 1 else np.zeros_like(rest) for axis in (0, 1)]
+    whole = light.mean(axis=-1)
+    slopes = [np.gradient(whole, axis=axis) if whole.shape[axis] > 1 else np.zeros_like(whole) for axis in (0, 1)]
     fields = [photons, slopes[0] ** 2 + slopes[1] ** 2, rest**2]
     # Bring the fields to one size, because the fit weighs what it is given; an endless bound is none.
     sizes = np.array([float(field.mean()) for field in fields])
