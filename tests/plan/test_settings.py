@@ -11,6 +11,7 @@ from tests.commands.command_line import SCENE, run
 from tests.plan.small_scenes import ball_over_floor
 from vitrail.base.fault import Fault
 from vitrail.geometry.world import World
+from vitrail.lower.tracer import lower_tracer
 from vitrail.plan.analyse import analyse
 from vitrail.plan.budget import settings_for
 from vitrail.plan.settings import setting_names
@@ -52,6 +53,17 @@ def test_a_number_in_another_form_is_taken_as_the_number_it_is() -> None:
     assert settings_for(world, plan, gather_radius_m="1e-3").gather_radius_m == 0.001
 
 
+def test_the_gather_disc_is_in_records_only_where_it_is_on() -> None:
+    world = World.of_scene(ball_over_floor())
+    plan = analyse(world)
+    off, on = settings_for(world, plan), settings_for(world, plan, gather_disc="true")
+    assert (off.gather_disc, on.gather_disc) == (False, True)
+    assert "gather_disc" not in off.as_record()
+    assert on.as_record() == {**off.as_record(), "gather_disc": True}
+    assert "gather_disc" not in lower_tracer(world, plan, off)["settings"]
+    assert lower_tracer(world, plan, on)["settings"]["gather_disc"] is True
+
+
 @pytest.mark.parametrize(
     ("key", "value", "what", "remedy"),
     [
@@ -72,6 +84,7 @@ def test_a_number_in_another_form_is_taken_as_the_number_it_is() -> None:
         ("gather_radius_m", "inf", "is not a length", "write a length in metres above 0"),
         ("gather_radius_m", "wide", "is not a length", "write a length in metres above 0"),
         ("solver", "beam", "is not one of auto, photon_map, light_bins, beams", "did you mean `beams`?"),
+        ("gather_disc", "often", "is neither true nor false", "write true or false"),
         ("reference_mode", 7, "is not one of auto, native, channels, slices", "choose one of them"),
     ],
 )

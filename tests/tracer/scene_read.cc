@@ -105,6 +105,8 @@ TEST(ReadScene, BringsEveryPartThrough) {
   EXPECT_TRUE(scene.plan.caustic);
   EXPECT_EQ(scene.settings.seed, 18446744073709551615ull);
   EXPECT_EQ(scene.settings.gather_radius_m, 0.01);
+  EXPECT_FALSE(scene.settings.gather_disc);
+  EXPECT_TRUE(parse_scene(with("\"seed\"", "\"gather_disc\": true, \"seed\""), ".").settings.gather_disc);
 }
 
 struct Fault {

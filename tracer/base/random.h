@@ -26,6 +26,7 @@ enum class Purpose : std::uint32_t {
   kPilot,
   kBeamLattice,
   kCameraBranch,
+  kGatherDisc,
 };
 
 /// A scrambling: 64 well-mixed bits that stand for (seed, purpose, and up to two identities such as a light and a

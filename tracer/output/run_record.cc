@@ -26,7 +26,8 @@ Json settings_object(const Scene& scene, const Picture& picture) {
           {"final_gather_rays", settings.final_gather_rays},
           {"memory_limit_mb", settings.memory_limit_mb},
           {"solver", name_of(scene.solver())},
-          {"branch_share", settings.branch_share}};
+          {"branch_share", settings.branch_share},
+          {"gather_disc", settings.gather_disc}};
 }
 
 Json ledger_object(const Ledger& ledger) {

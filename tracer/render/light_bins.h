@@ -8,8 +8,11 @@
 
 namespace vitrail {
 
-/// Whether the caustics that the camera sees directly are counted in its pixels, by this solver or by `beams`.
-inline bool counts_in_pixels(const Scene& scene) { return scene.solver() != Solver::photon_map; }
+/// Whether the caustics that the camera sees directly are counted in its pixels, by this solver or by `beams`. Means
+/// over gather discs are looked up.
+inline bool counts_in_pixels(const Scene& scene) {
+  return scene.solver() != Solver::photon_map && !scene.settings.gather_disc;
+}
 
 /// Add the photons of a map to the caustic layer of one half, wherever the camera sees their surface directly; what it
 /// sees by way of mirrors and glass is left to the map. A photon of flux F on a surface of albedo d brings its pixel

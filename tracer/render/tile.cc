@@ -5,6 +5,7 @@
 #include "base/cpu_clock.h"
 #include "light/light.h"
 #include "render/camera.h"
+#include "render/gather.h"
 
 namespace vitrail {
 namespace {
@@ -113,23 +114,6 @@ class PixelRenderer {
   PathResult result_;
 };
 
-// Ask the photon maps, in the order in which the requests were made: neighbours share cells.
-void gather(const PhotonMaps& maps, const Tile& tile, const std::vector<GatherRequest>& requests, Film& film) {
-  if (requests.empty()) return;
-  std::vector<std::array<Rgb, 2>> sums(requests.back().pixel + 1);
-  for (const GatherRequest& request : requests) {
-    for (int half = 0; half < 2; ++half) {
-      if (!request.both_halves && half != request.half) continue;
-      sums[request.pixel][half] += request.weight * maps.irradiance(half, request.query);
-    }
-  }
-  const auto width = static_cast<std::uint32_t>(tile.x1 - tile.x0);
-  for (std::uint32_t pixel = 0; pixel < sums.size(); ++pixel) {
-    const int x = tile.x0 + static_cast<int>(pixel % width), y = tile.y0 + static_cast<int>(pixel / width);
-    for (int half = 0; half < 2; ++half) film.add(half, x, y, Layer::caustic, sums[pixel][half]);
-  }
-}
-
 }  // namespace
 
 TileStatistics& TileStatistics::operator+=(const TileStatistics& other) {
@@ -162,7 +146,7 @@ TileStatistics render_tile(const LitWorld& world, const Picture& picture, const 
   statistics.ledger.close({tile.x0, tile.y0, tile.x1, tile.y1});
   const double traced = thread_cpu_s();
   statistics.camera_cpu_s = traced - start;
-  gather(world.maps.caustic, tile, requests, film);
+  gather(world, picture, tile, requests, film);
   for (const GatherRequest& request : requests) statistics.counters.gather_queries += request.both_halves ? 2 : 1;
   statistics.gather_cpu_s = thread_cpu_s() - traced;
   return statistics;

@@ -126,7 +126,10 @@ void CameraTracer::shade(const CameraVertex& vertex, const Arrival& arrival, Pat
   result.shadow_rays += light.shadow_rays;
   result.radiance[vertex.layer] += reflected * light.irradiance;
   result.radiance[Layer::indirect_light] += reflected * indirect(vertex, at);
-  if (scene_.plan.caustic && !is_binned(vertex)) result.requests.push_back({{at.point, at.normal}, reflected});
+  if (!scene_.plan.caustic || is_binned(vertex)) return;
+  const auto is_flat = [&](const Crossing& c) { return has_flat_faces(scene_.objects[c.object].shape); };
+  const bool on_flat = std::all_of(arrival.hit.crossings.begin(), arrival.hit.crossings.end(), is_flat);
+  result.requests.push_back({.query = {at.point, at.normal}, .weight = reflected, .on_flat = on_flat});
 }
 
 // A lamp with an extent is sampled in proportion to what this path adds to the look: the noise of all together is then

@@ -17,6 +17,7 @@ struct GatherRequest {
   Rgb weight;  // radiance per irradiance found: throughput times d / pi
   std::uint32_t pixel = 0;
   std::uint8_t half = 0;
+  bool on_flat = false;      // the surface lies in the plane of its gather disc
   bool both_halves = false;  // one sample per pixel: the same path asks both maps
 };
 

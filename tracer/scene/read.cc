@@ -126,7 +126,7 @@ Settings read_settings(const JsonValue& value) {
   Settings settings;
   value.object({"samples", "photons", "gather_radius_m", "seed", "rough_samples", "final_gather_rays",
                 "memory_limit_mb", "solver"},
-               {"branch_share"});
+               {"branch_share", "gather_disc"});
   settings.samples = read_samples(value.at("samples"));
   settings.photons = static_cast<std::uint64_t>(value.at("photons").integer(0, std::int64_t{1} << 40));
   settings.gather_radius_m = value.at("gather_radius_m").number(Range::not_negative());
@@ -140,6 +140,7 @@ Settings read_settings(const JsonValue& value) {
                                                        {"light_bins", Solver::light_bins},
                                                        {"beams", Solver::beams}});
   if (value.has("branch_share")) settings.branch_share = value.at("branch_share").number(Range::share());
+  settings.gather_disc = value.has("gather_disc") && value.at("gather_disc").boolean();
   return settings;
 }
 

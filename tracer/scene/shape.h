@@ -145,4 +145,11 @@ using Shape = std::variant<SphereShape, PlaneShape, RectangleShape, DiscShape, B
 /// A shape by its `kind`. A sphere stands in where the kind is at fault.
 Shape read_shape(const JsonValue& value);
 
+/// Whether every face lies in a plane.
+inline bool has_flat_faces(const Shape& shape) {
+  return std::holds_alternative<PlaneShape>(shape) || std::holds_alternative<RectangleShape>(shape) ||
+         std::holds_alternative<DiscShape>(shape) || std::holds_alternative<BoxShape>(shape) ||
+         std::holds_alternative<PrismShape>(shape);
+}
+
 }  // namespace vitrail

@@ -67,7 +67,8 @@ Whole = Annotated[int, BeforeValidator(_exact), Field(strict=True)]
 class Settings(BaseModel):
     """Knobs of a rendering, the same for both engines; ``samples`` are per pixel, ``photons`` per scene.
 
-    The largest numbers are those that the tracer reads.
+    The largest numbers are those that the tracer reads. With ``gather_disc`` the tracer's caustics are means over the
+    disc of ``gather_radius_m`` by any solver, as POV-Ray's always are; without it only by ``photon_map``.
     """
 
     model_config = ConfigDict(frozen=True, extra="forbid")
@@ -83,10 +84,11 @@ class Settings(BaseModel):
     solver: Solver
     branch_share: Annotated[float, Field(ge=0, le=1, allow_inf_nan=False)]
     reference_mode: ReferenceMode
+    gather_disc: bool = False
 
     def as_record(self) -> dict[str, Any]:
-        """Name to value, as JSON has it."""
-        return self.model_dump(mode="json")
+        """Name to value, as JSON has it; without ``gather_disc`` where it is off, as in records from before it."""
+        return self.model_dump(mode="json", exclude=None if self.gather_disc else {"gather_disc"})
 
 
 def setting_names() -> tuple[str, ...]:
@@ -114,6 +116,8 @@ def _fault(error: ErrorDetails) -> Fault:
         return Fault(what, f"did you mean `{close}`?" if close else "choose one of them", (key,))
     if key == "branch_share":
         return Fault("is not a share of a look", "write a number from 0 to 1", (key,))
+    if kinds is bool:
+        return Fault("is neither true nor false", "write true or false", (key,))
     if kinds is float:
         what = "is not above 0" if kind == "greater_than" else "is not a length"
         return Fault(what, "write a length in metres above 0", (key,))

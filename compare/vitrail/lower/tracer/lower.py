@@ -113,4 +113,5 @@ def _settings(settings: Settings) -> Json:
         "memory_limit_mb": settings.memory_limit_mb,
         "solver": settings.solver,
         "branch_share": settings.branch_share,
+        **({"gather_disc": True} if settings.gather_disc else {}),
     }
