@@ -96,3 +96,35 @@ def test_an_even_candidate_is_told_apart_from_a_displaced_one():
     even = patch_of(lambda u, v: 0 * u * v + 1.0)
     with pytest.raises(MetricError, match="candidate shows no pattern"):
         displacement(even, pattern, Context())
+
+
+def test_shading_is_no_pattern():
+    """Gain and offset take up even shading, however steep: nothing says where it lies."""
+    shaded = patch_of(lambda u, v: 1 + 0.4 * u + 0.3 * v + 0.05 * u * v)
+    with pytest.raises(MetricError, match="no pattern"):
+        displacement(shaded, shaded, CONTEXT)
+
+
+def test_an_edge_shows_only_the_move_across_it():
+    slanted = patch_of(lambda u, v: 1.0 + (v > 0.004 * u))
+    found = displacement(slanted, slanted, CONTEXT)
+    assert [m.metric for m in found] == ["displacement.v"]
+    assert "along u no pattern" in found[0].caveats[0]
+
+
+def test_noise_is_no_pattern():
+    """Grain on an even patch has slopes of its own; a pattern under the same grain is still registered."""
+    random = np.random.default_rng(7)
+    halves = 0.02 * random.standard_normal((2, 64, 64, 3))
+
+    def grained(picture):
+        first, second = picture.values + halves[0], picture.values + halves[1]
+        return replace(picture, values=(first + second) / 2, half_a=first, half_b=second)
+
+    even = grained(patch_of(lambda u, v: 1 + 0 * u * v))
+    with pytest.raises(MetricError, match="no pattern"):
+        displacement(even, even, CONTEXT)
+    assert {m.metric for m in displacement(grained(checker()), grained(checker()), CONTEXT)} == {
+        "displacement.u",
+        "displacement.v",
+    }

@@ -38,6 +38,16 @@ AXES: tuple[tuple[PatchAxis, int], ...] = (("u", 1), ("v", 0))
 LEAST_TEXTURE = 1e-3
 """A direction with less than this share of the other's gradient has no pattern to register."""
 
+LEAST_STEEPNESS = 0.2
+"""Least slope of a pattern, in its mean light per patch: below it the rounding of half floats, .05 % of the light,
+reads as a move of .25 % of the patch, which is the size of the tolerance."""
+
+NOISE_SIGMAS = 3.0
+"""A pattern is there where the square slopes exceed those of the noise by this many standard deviations of theirs."""
+
+CELLS_ALIKE = 4 * np.pi * SMOOTHING_CELLS**2
+"""Cells over which the smoothing makes noise alike: the integral of a Gaussian's square correlation, twice."""
+
 
 def displacement(candidate: PatchSamples, reference: PatchSamples | None, context: Context) -> list[Measurement]:
     """``displacement.u/.v``: how far the candidate's picture lies from the reference's, metres on the patch, ideal 0.
@@ -49,6 +59,8 @@ def displacement(candidate: PatchSamples, reference: PatchSamples | None, contex
         return []
     usable = _usable(candidate, reference)
     moved = register(_smooth(candidate), _smooth(reference), usable).moved
+    flat = [axis for axis, index in AXES if not usable[index]]
+    caveats = tuple(f"along {axis} no pattern stands out, so no move along it is measured" for axis in flat)
     method = "least squares of a cubic-spline shift with gain and offset, started by phase correlation"
     settings = {"method": method, "smoothing_cells": SMOOTHING_CELLS}
     found = []
@@ -56,7 +68,8 @@ def displacement(candidate: PatchSamples, reference: PatchSamples | None, contex
         if usable[index]:
             cell = cell_m(candidate, axis)
             parts = {"cells": float(moved[index]), "cell_m": cell}
-            found.append(Measurement(f"displacement.{axis}", float(moved[index] * cell), "m", 0.0, settings, parts))
+            move = float(moved[index] * cell)
+            found.append(Measurement(f"displacement.{axis}", move, "m", 0.0, settings, parts, caveats=caveats))
     return found
 
 
@@ -175,12 +188,54 @@ def _shifted(spline: np.ndarray, moved: np.ndarray) -> np.ndarray:
 def _usable(candidate: PatchSamples, reference: PatchSamples) -> np.ndarray:
     """Which directions (rows, columns) have a pattern. Raises MetricError where none has."""
     ours, theirs = candidate.values.mean(axis=-1), reference.values.mean(axis=-1)
-    texture = np.array([np.mean(np.diff(theirs, axis=axis) ** 2) if theirs.shape[axis] > 4 else 0.0 for axis in (0, 1)])
-    if not texture.max() > (1e-6 * np.abs(theirs).max()) ** 2:
+    if not np.abs(theirs).max() > 0 or not (found := _has_pattern(reference)).any():
         raise MetricError("the patch shows no pattern; put a checker where the patch looks")
     if not np.ptp(ours) > 1e-6 * np.abs(ours).max():
         raise MetricError("the candidate shows no pattern on the patch; there is nothing to lay on the reference's")
-    return texture > LEAST_TEXTURE * texture.max()
+    return found
+
+
+def _has_pattern(samples: PatchSamples) -> np.ndarray:
+    """For rows and columns: whether the picture has slopes that only a move along that axis explains.
+
+    Gain and offset are fitted along with the move, so even shading places nothing; nor does an edge along its own
+    direction. What noise alone may have made is no pattern.
+    """
+    smooth = _smooth(samples)
+    window = np.outer(np.hanning(smooth.shape[0] + 2)[1:-1], np.hanning(smooth.shape[1] + 2)[1:-1])
+    weight = (window / window.sum()).ravel()
+    slopes = _slopes(smooth)
+    whole = max(float((weight * slope.ravel() ** 2).sum()) for slope in slopes)
+    mean, found = abs(float((weight * smooth.ravel()).sum())), np.zeros(2, dtype=bool)
+    for axis in (0, 1):
+        others = np.stack([smooth.ravel(), np.ones(smooth.size), slopes[1 - axis].ravel()], axis=1)
+        own = _unexplained(slopes[axis], others, weight)
+        clear = own - _square_slope_of_noise(samples, axis, others, weight)
+        steepness = np.sqrt(max(clear, 0.0)) * smooth.shape[axis]
+        found[axis] = clear > LEAST_TEXTURE * whole and steepness > LEAST_STEEPNESS * mean
+    return found
+
+
+def _square_slope_of_noise(samples: PatchSamples, axis: int, others: np.ndarray, weight: np.ndarray) -> float:
+    """The most that noise alone gives to the mean square slope along an axis, within ``NOISE_SIGMAS``."""
+    if samples.noise is None:
+        return 0.0
+    grain = gaussian_filter(samples.noise.mean(axis=-1), SMOOTHING_CELLS)
+    independent = max(1.0 / float((weight**2).sum()) / CELLS_ALIKE, 1.0)
+    mean_square = _unexplained(_slopes(grain)[axis], others, weight)
+    return float(mean_square * (1 + NOISE_SIGMAS * np.sqrt(2 / independent)))
+
+
+def _slopes(picture: np.ndarray) -> list[np.ndarray]:
+    """Light per cell along rows and columns; 0 along an axis of one cell."""
+    return [np.gradient(picture, axis=axis) if picture.shape[axis] > 4 else np.zeros_like(picture) for axis in (0, 1)]
+
+
+def _unexplained(slope: np.ndarray, others: np.ndarray, weight: np.ndarray) -> float:
+    """Weighted mean square of ``slope`` less its best fit by the columns of ``others``."""
+    root = np.sqrt(weight)
+    fitted, *_ = np.linalg.lstsq(others * root[:, None], slope.ravel() * root, rcond=None)
+    return float((weight * (slope.ravel() - others @ fitted) ** 2).sum())
 
 
 def _stands_out(samples: PatchSamples, axis: int) -> bool:
