@@ -5,7 +5,7 @@
 The error is that of the layer `caustic`: sum of |difference| over sum of the reference, over the whole picture. Two
 references, each of four times the photons by `light_bins`, have seeds of their own; their difference says how well the
 reference is known. `score` is CPU seconds times the square of the error: the seconds to a given error where noise
-leads. `over best` is its ratio to the best solver's, for what `auto` chose.
+leads.
 """
 
 from __future__ import annotations

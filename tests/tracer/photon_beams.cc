@@ -70,6 +70,27 @@ TEST(Beams, HaveTheIrradianceOfTheRayMapAndConverge) {
   EXPECT_NEAR(coarse.off / fine.off, 4, 1);
 }
 
+/// The middle of the light's disc lies on the creases of its map, where beams share edges: each place is in one beam.
+TEST(Beams, ShareTheirEdges) {
+  SceneBuilder builder;
+  builder.add("floor", PlaneShape{{0, 0, 0}, {0, 1, 0}}, builder.add(diffuse(0.8)));
+  builder.add("plate", BoxShape{{-5, 1, -5}, {5, 1.7, 5}, {}}, builder.add(glass(1)));
+  builder.scene.lights.push_back({"sun", DirectionalLight{{0, -1, 0}, {1, 1, 1}, 0}});
+  builder.scene.settings.photons = 10000;
+  builder.scene.settings.gather_radius_m = 0.01;
+  builder.scene.settings.solver = Solver::beams;
+  const PhotonMaps maps = beams_of(builder.scene);
+  double mean = 0;
+  for (int k = 0; k < 64; ++k) {
+    const double x = (k % 8 - 3.5) / 2, z = (k / 8 - 3.5) / 2;
+    const double found = maps.irradiance(k % 2, {{x, 0, z}, {0, 1, 0}}).r;
+    EXPECT_LT(found, 1.6) << x << " " << z;
+    mean += found / 64;
+  }
+  // At the very middle the disc's rings are squares: a beam there has up to pi / 2 of the light.
+  EXPECT_NEAR(mean, 1, 0.02);
+}
+
 TEST(Beams, OfTheOtherSideOfASurfaceDoNotCount) {
   const PhotonMaps maps = beams_of(ball_over_floor(10000));
   EXPECT_EQ(maps.irradiance(0, {{0.3, 0, 0}, {0, -1, 0}}), Rgb{});
@@ -162,7 +183,7 @@ TEST(Beams, LeaveAFacetedMeshToPhotons) {
   const PhotonMaps maps = beams_of(under_a_lamp(builder));
   ASSERT_EQ(maps.beams[0], nullptr);
   ASSERT_EQ(maps.statistics.routes.size(), 1u);
-  EXPECT_GT(maps.statistics.routes[0].torn, 0.25);
+  EXPECT_GT(maps.statistics.routes[0].pilot.torn, 0.25);
 
   // From above it is a polygon. Its edges cross some 900 of the cells that 5e4 photons of a half are stratified in, and
   // chance decides about half a photon in each: 15 photons or 4e-4 of the area. Allow three of these.

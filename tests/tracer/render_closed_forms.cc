@@ -206,6 +206,7 @@ Scene ball_lens() {
   builder.scene.camera = looking_down(0.5, 0.85);
   builder.scene.image = {170, 170};  // pixels of 1 cm
   builder.scene.settings.photons = 1000000;
+  builder.scene.settings.solver = Solver::photon_map;
   builder.scene.settings.gather_radius_m = 0.015;
   return builder.scene;
 }

@@ -29,6 +29,7 @@ Scene mixed_scene(double scale = 1, double power = 1) {
   builder.scene.image = {40, 30};
   builder.scene.settings.samples = 4;
   builder.scene.settings.photons = 40000;
+  builder.scene.settings.solver = Solver::photon_map;
   builder.scene.settings.gather_radius_m = 0.05 * scale;
   builder.scene.settings.seed = 3;
   return builder.scene;

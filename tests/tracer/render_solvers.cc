@@ -28,6 +28,7 @@ Scene mixed_scene() {
   builder.scene.camera = {CameraKind::perspective, {0, 3, 4}, forward, right, cross(right, forward), 0.5, 0.5};
   builder.scene.image = {32, 32};
   builder.scene.settings.photons = 60000;
+  builder.scene.settings.solver = Solver::photon_map;
   builder.scene.settings.gather_radius_m = 0.02;
   builder.scene.settings.samples = 64;
   return builder.scene;
@@ -67,14 +68,31 @@ TEST(Beams, LeaveToPhotonsWhatTheyCannotDo) {
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(by_beams[c] / by_map[c], 1, 0.02);
 }
 
-/// `auto` takes bins from 200 photons a pixel on, and is then the same to the bit.
+/// `auto` takes beams where some light sends one ray alone from each place, with a tenth of the photons as rays.
+TEST(Solver, AutoTakesBeamsWhereLightHasNoExtent) {
+  Scene scene = mixed_scene();
+  scene.settings.solver = Solver::automatic;
+  scene.plan.roughness = false;
+  EXPECT_EQ(scene.solver(), Solver::beams);
+  const Rendering chosen = rendered(scene);
+  EXPECT_LT(chosen.counters.photons_emitted, scene.settings.photons);
+  scene.settings.solver = Solver::light_bins;
+  const Rgb by_bins = mean_caustic(rendered(scene).film), by_choice = mean_caustic(chosen.film);
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(by_choice[c] / by_bins[c], 1, 0.02);
+  scene.settings.solver = Solver::automatic;
+  scene.plan.roughness = true;
+  EXPECT_NE(scene.solver(), Solver::beams) << "a rough face sends rays everywhere";
+}
+
+/// Light from a lamp with an area is counted in pixels from 4 photons a pixel on, to the bit as by that solver.
 TEST(Solver, AutoTakesBinsWherePhotonsAreMany) {
   Scene scene = mixed_scene();
+  scene.lights = {{"panel", AreaLight{RectangleShape{{-1, 4, 1}, {0.3, 0, 0}, {0, 0, 0.3}}, false, {30, 30, 30}, {}}}};
   scene.image = {16, 16};
   scene.settings.samples = 1;
-  for (const std::uint64_t photons : {51198, 51200}) {
+  for (const std::uint64_t photons : {1022, 1024}) {
     scene.settings.photons = photons;
-    const bool many = photons >= 200 * 16 * 16;
+    const bool many = photons >= 4 * 16 * 16;
     scene.settings.solver = many ? Solver::light_bins : Solver::photon_map;
     const Film named = rendered(scene).film;
     scene.settings.solver = Solver::automatic;

@@ -80,7 +80,8 @@ Json routes_array(const Scene& scene, const std::vector<LightRoute>& routes) {
     all.push_back({{"light", scene.lights[route.light].name},
                    {"object", scene.objects[route.target].name},
                    {"as", route.by_beams ? "beams" : "photons"},
-                   {"torn", route.torn},
+                   {"torn", route.pilot.torn},
+                   {"landings_per_ray", route.pilot.landings},
                    {"because", route.because}});
   }
   return all;
@@ -105,11 +106,13 @@ std::string settings_json(const Scene& scene, const Picture& picture) { return s
 std::string run_record_json(const Scene& scene, const Rendering& rendering, const RunFacts& facts) {
   const CpuSeconds& cpu = rendering.cpu_s;
   const Counters& counters = rendering.counters;
+  Json settings = settings_object(scene, scene.picture());
+  if (!rendering.routes.empty()) settings["solver"] = name_of(rendering.solver);
   const Json record = {{"vitrail_run", 1},
                        {"engine", "tracer"},
                        {"version", facts.version},
                        {"scene_hash", scene.scene_hash},
-                       {"settings", settings_object(scene, scene.picture())},
+                       {"settings", settings},
                        {"threads", facts.threads},
                        {"cpu_s",
                         {{"total", facts.cpu_total_s},

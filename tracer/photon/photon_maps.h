@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "photon/beams/beam_lattice.h"
 #include "photon/beams/beam_map.h"
 #include "photon/ledger.h"
 #include "photon/photon_map.h"
@@ -14,7 +15,7 @@ namespace vitrail {
 struct LightRoute {
   std::uint32_t light, target;
   bool by_beams;
-  double torn = 0;  // share of the light between rays that part; 0 if it was not tried
+  BeamPilot pilot;  // nothing if beams were not tried
   const char* because;
 };
 
@@ -23,7 +24,8 @@ struct PhotonStatistics {
   BeamRemainder remainder;  // of the light that went into beams, mean of the two halves
   std::uint64_t emitted = 0, stored = 0;
   double trace_cpu_s = 0, sort_cpu_s = 0;
-  std::vector<LightRoute> routes;  // caustics only
+  std::vector<LightRoute> routes;      // caustics only
+  Solver solver = Solver::photon_map;  // the one taken, after the pilots
   std::vector<std::string> warnings;
 };
 

@@ -3,15 +3,15 @@
 
 #include "base/workers.h"
 #include "geometry/world.h"
-#include "photon/photon_map.h"
+#include "photon/photon_maps.h"
 #include "render/film.h"
 
 namespace vitrail {
 
 /// Whether the caustics that the camera sees directly are counted in its pixels, by this solver or by `beams`. Means
 /// over gather discs are looked up.
-inline bool counts_in_pixels(const Scene& scene) {
-  return scene.solver() != Solver::photon_map && !scene.settings.gather_disc;
+inline bool counts_in_pixels(const Scene& scene, const PhotonMaps& caustic) {
+  return caustic.statistics.solver != Solver::photon_map && !scene.settings.gather_disc;
 }
 
 /// Add the photons of a map to the caustic layer of one half, wherever the camera sees their surface directly; what it

@@ -70,6 +70,7 @@ LightMaps trace_light(const World& world, const Workers& workers, Rendering& res
     result.ledger = statistics.ledger;
     result.beam_remainder = statistics.remainder;
     result.routes = statistics.routes;
+    result.solver = statistics.solver;
     add(statistics, result);
     warn_of_truncated_light(world.scene, statistics, result.warnings);
   }
@@ -159,7 +160,7 @@ void add_costs(const std::vector<Canvas>& canvases, Rendering& result) {
 }
 
 std::uint64_t film_bytes(const Scene& scene, const Image& image) {
-  const bool has_sums = has_photon_pass(scene) && counts_in_pixels(scene);
+  const bool has_sums = has_photon_pass(scene) && scene.solver() != Solver::photon_map && !scene.settings.gather_disc;
   return Film::predicted_bytes(image.width, image.height, planned_layers(scene.plan)) +
          (has_sums ? PixelSums::predicted_bytes(image.width, image.height) : 0);
 }
@@ -208,7 +209,7 @@ Rendering render(const Scene& scene, const Workers& workers) {
   const LightMaps maps = trace_light(world, workers, result);
   std::vector<Canvas> canvases = canvases_of(scene, result);
   trace_camera({world, maps}, workers, canvases);
-  if (counts_in_pixels(scene)) count_in_pixels(world, maps.caustic, workers, canvases);
+  if (counts_in_pixels(scene, maps.caustic)) count_in_pixels(world, maps.caustic, workers, canvases);
   add_costs(canvases, result);
   book_cuts(canvases[0], scene, result.camera_ledger, result.warnings);
   for (std::size_t v = 0; v < result.views.size(); ++v)

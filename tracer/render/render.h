@@ -38,7 +38,8 @@ struct Rendering {
   Ledger ledger{};
   BeamRemainder beam_remainder{};
   std::vector<LightRoute> routes{};
-  CameraLedger camera_ledger{};  // of the scene's own picture
+  Solver solver = Solver::photon_map;  // of caustics
+  CameraLedger camera_ledger{};        // of the scene's own picture
   CpuSeconds cpu_s{};
   Counters counters{};
   std::vector<std::string> warnings{};

@@ -28,7 +28,7 @@ Layer layer_after(Layer before, Lobe lobe) {
 }  // namespace
 
 CameraTracer::CameraTracer(const LitWorld& world)
-    : world_(world), scene_(world.scene), in_bins_(counts_in_pixels(world.scene)) {}
+    : world_(world), scene_(world.scene), in_bins_(counts_in_pixels(world.scene, world.maps.caustic)) {}
 
 void CameraTracer::trace(const CameraPath& path, PathResult& result) {
   result.radiance = {};

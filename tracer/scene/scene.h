@@ -216,9 +216,9 @@ struct Scene {
   const Material& material_of(std::uint32_t object) const { return materials[objects[object].material]; }
 
   /// The solver that a rendering of this scene takes.
-  Solver solver() const {
-    return resolve(settings.solver, settings.photons, static_cast<double>(image.width) * image.height);
-  }
+  Solver solver() const;
+  /// The same if it turns out that no light goes as beams.
+  Solver solver_without_beams() const;
 
   /// Whether light may go on after so many faces.
   bool within_depth(const Depth& depth) const {

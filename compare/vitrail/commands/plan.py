@@ -14,6 +14,7 @@ from vitrail.commands.output import print_json, wide_console
 if TYPE_CHECKING:
     from vitrail.plan.plan import Plan
     from vitrail.plan.settings import Settings
+    from vitrail.plan.solver_choice import SolverChoice
 
 
 def plan(
@@ -23,29 +24,33 @@ def plan(
     with exit_codes():
         from vitrail.commands.scene_file import read_scene
         from vitrail.pipeline.job import prepare
+        from vitrail.plan.settings import Solver
+        from vitrail.plan.solver_choice import solver_choice
 
         loaded = read_scene(scene)
-        job = prepare(loaded)
+        job = prepare(loaded, overrides={"solver": Solver.AUTO})
         found, settings = job.plan, job.settings
+        solver = solver_choice(job.scene, found, settings)
     for warning in found.warnings:
         typer.echo(f"warning: {warning}", err=True)
     if as_json:
-        print_json(_as_json(found, settings))
+        print_json(_as_json(found, settings, solver))
     else:
-        _print_table(loaded.scene.title or scene.name, found, settings)
+        _print_table(loaded.scene.title or scene.name, found, settings, solver)
 
 
-def _as_json(found: Plan, settings: Settings) -> dict[str, Any]:
+def _as_json(found: Plan, settings: Settings, solver: SolverChoice | None) -> dict[str, Any]:
     return {
         "phenomena": {phenomenon.value: asdict(entry) for phenomenon, entry in found.entries.items()},
         "caustic_paths": [asdict(path) for path in found.caustic_paths],
         "chain": asdict(found.chain),
         "warnings": list(found.warnings),
         "settings": settings.as_record(),
+        "solver": None if solver is None else asdict(solver),
     }
 
 
-def _print_table(title: str, found: Plan, settings: Settings) -> None:
+def _print_table(title: str, found: Plan, settings: Settings, solver: SolverChoice | None) -> None:
     """What is required, with evidence and cost; what is not, and why; the chain and the settings that follow."""
     from rich.markup import escape
     from rich.table import Table
@@ -65,13 +70,14 @@ def _print_table(title: str, found: Plan, settings: Settings) -> None:
     console = wide_console()
     console.print(required)
     console.print(spared)
-    console.print(_summary(found, settings), markup=False, highlight=False)
+    console.print(_summary(found, settings, solver), markup=False, highlight=False)
 
 
-def _summary(found: Plan, settings: Settings) -> str:
+def _summary(found: Plan, settings: Settings, solver: SolverChoice | None) -> str:
     chain = found.chain
+    solved = f"\ncaustics by {solver.solver}: {solver.because}" if solver else ""
     return (
         f"longest chain: {chain.reflections} reflections, {chain.transmissions} transmissions ({chain.reason})\n"
         f"at normal quality: {settings.samples} samples per pixel, {settings.photons} photons,"
-        f" gather radius {settings.gather_radius_m:g} m"
+        f" gather radius {settings.gather_radius_m:g} m{solved}"
     )

@@ -37,7 +37,7 @@ def render(
     photons: int | None = typer.Option(None, "--photons", help="Photons of the whole scene."),
     seed: int | None = typer.Option(None, "--seed", help="Seed of the random numbers."),
     threads: int = typer.Option(0, "--threads", min=0, help="Threads; 0 takes every core."),
-    solver: Solver | None = typer.Option(None, "--solver", help="How caustics are solved."),
+    solver: Solver = typer.Option(Solver.AUTO, "--solver", help="How caustics are solved."),
     settings: list[str] = SETTINGS,
     passes: int | None = PASSES,
     budget_s: float | None = BUDGET_S,

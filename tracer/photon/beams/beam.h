@@ -47,7 +47,7 @@ struct BeamBlock {
   std::vector<PhotonRecord> photons;  // of the light that no beam holds
   Ledger ledger;
   BeamRemainder remainder;
-  std::uint64_t rays = 0;
+  std::uint64_t rays = 0, landed_rays = 0;  // all, and those of the lattice that have a corner
 };
 
 }  // namespace vitrail

@@ -18,6 +18,12 @@ namespace vitrail {
 /// smooth faces; nothing where it can.
 const char* unfit_for_beams(const Scene& scene, const Chart& chart);
 
+/// What decides whether beams are the better way for a light.
+struct BeamPilot {
+  double torn = 0;      // share of the light that lands between rays that part
+  double landings = 0;  // per ray that meets the target: the sheets of beams that the light makes
+};
+
 class BeamLattice {
  public:
   /// About chart.count rays. `stream` draws how many cells a side exactly, so that two lattices are independent.
@@ -27,8 +33,8 @@ class BeamLattice {
   std::uint64_t blocks() const;
   BeamBlock trace(std::uint64_t block) const;
 
-  /// The share of the light that lands between rays that part, from a few blocks.
-  double torn_share() const;
+  /// What a few blocks say of all.
+  BeamPilot pilot() const;
 
  private:
   const PhotonPass& pass_;

@@ -38,6 +38,16 @@ std::uint64_t spread_bits(std::uint64_t x) {
 
 Vec3 normal_of(const BeamCorner& corner) { return {corner.normal[0], corner.normal[1], corner.normal[2]}; }
 
+bool comes_first(Vec3 p, Vec3 q) { return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z); }
+
+// Whether a place lies on the side of the edge from p to q on which r is, seen along a normal. Two beams share an edge:
+// both look at it from the same end, so that a place on it belongs to one of them.
+bool is_beside(Vec3 place, Vec3 p, Vec3 q, Vec3 r, Vec3 normal) {
+  if (!comes_first(p, q)) std::swap(p, q);
+  const bool wanted = dot(cross(q - p, r - p), normal) > 0;
+  return (dot(cross(q - p, place - p), normal) > 0) == wanted;
+}
+
 double longest_side(Vec3 p, Vec3 q, Vec3 r) { return std::max({length(q - p), length(r - q), length(p - r)}); }
 
 }  // namespace
@@ -173,7 +183,10 @@ Rgb BeamMap::irradiance_of(const Beam& beam, const GatherQuery& query) const {
   const double weight[3] = {dot(cross(r - q, query.position - q), twice_area) / squared,
                             dot(cross(p - r, query.position - r), twice_area) / squared,
                             dot(cross(q - p, query.position - p), twice_area) / squared};
-  if (!(weight[0] >= 0 && weight[1] >= 0 && weight[2] >= 0)) return {};
+  const Vec3 place = query.position;
+  const bool within = is_beside(place, q, r, p, twice_area) && is_beside(place, r, p, q, twice_area) &&
+                      is_beside(place, p, q, r, twice_area);
+  if (!within) return {};
   Rgb power;
   for (int k = 0; k < 3; ++k) {
     power += Rgb{corner[k]->power[0], corner[k]->power[1], corner[k]->power[2]} * weight[k];

@@ -36,6 +36,7 @@ LatticeRay LatticeRays::followed(std::uint32_t a, std::uint32_t b) {
     block_.corners.push_back(corner_of(landing));
   }
   ray.end_count = static_cast<std::uint32_t>(landings_.size());
+  if (ray.end_count > 0) ++block_.landed_rays;
   ray.ledger = ledger_;
   std::sort(ends_.begin() + ray.first_end, ends_.end(),
             [](const RayEnd& x, const RayEnd& y) { return x.signature < y.signature; });
