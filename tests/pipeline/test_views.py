@@ -99,6 +99,9 @@ def test_the_picture_is_for_people_and_still_shows_this_scene(tmp_path: Path, ca
     assert scene.observations[1].patch.outline_px == ((144, 336), (336, 336), (336, 144), (144, 144))
     plain = only(run(tmp_path / "plain", [card], views=False))
     assert (plain.width, plain.observations[0].view) == (32, None)
+    small = only(run(tmp_path / "small", [card], picture_width=1))
+    assert (small.width, small.height) == (32, 32)
+    assert small.observations[0].view == scene.observations[0].view
     assert "--no-views" in plain.reproduce and "--no-views" not in scene.reproduce
 
 

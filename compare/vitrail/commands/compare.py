@@ -43,6 +43,9 @@ def compare(
     jobs: int = typer.Option(1, "--jobs", min=1, help="Scenes worked on at a time."),
     against: Against = typer.Option(Against.POVRAY, "--against", help="What the tracer is held against."),
     views: bool = typer.Option(True, "--views/--no-views", help="Measure each observation in a picture of its own."),
+    picture_width: int | None = typer.Option(
+        None, "--picture-width", min=1, help="Pixels across the scene's own picture at least; 480 if not given."
+    ),
     rounds: int = typer.Option(1, "--rounds", min=0, help="How often to buy more samples for a scene in doubt."),
     budget_s: float | None = typer.Option(None, "--budget-s", min=0, help="CPU seconds for all that is in doubt."),
     references: Path | None = typer.Option(None, "--references", help="The folder of closed forms and thresholds."),
@@ -58,6 +61,7 @@ def compare(
     with exit_codes(), reference_errors():
         from vitrail.pipeline.compare import compare as compare_scenes
         from vitrail.pipeline.request import Request
+        from vitrail.plan.views import PICTURE_WIDTH
         from vitrail.report.build import build_report
 
         loaded = load_all(scenes)
@@ -68,6 +72,7 @@ def compare(
             threads=threads,
             jobs=jobs,
             views=views,
+            picture_width=picture_width or PICTURE_WIDTH,
             rounds=rounds,
             budget_s=budget_s,
             against=against.sides,

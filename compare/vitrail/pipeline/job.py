@@ -20,7 +20,7 @@ from vitrail.plan.analyse import analyse
 from vitrail.plan.budget import settings_for, settings_for_views
 from vitrail.plan.plan import Plan
 from vitrail.plan.settings import Quality, Settings
-from vitrail.plan.views import PICTURE_SAMPLES, ObservationView, for_people, token, views_of
+from vitrail.plan.views import PICTURE_SAMPLES, PICTURE_WIDTH, ObservationView, for_people, token, views_of
 from vitrail.scene.load import Loaded
 from vitrail.scene.model import Scene
 
@@ -52,17 +52,18 @@ class Job:
         """The same plan and settings for a changed scene."""
         return replace(self, world=self.world.with_scene(scene))
 
-    def with_views(self) -> Job:
+    def with_views(self, picture_width: int = PICTURE_WIDTH) -> Job:
         """The same job with a view for every observed patch, and with the settings that go with views.
 
-        The scene's own picture is then for people, and for whoever looks for differences outside the patches.
+        The scene's own picture is then for people, and for whoever looks for differences outside the patches. It has
+        ``picture_width`` pixels across at least, and never fewer than the scene says.
         """
         aimed = views_of(self.world, self.plan, self.settings)
         # A view has finer pixels than the picture: what stays below one there may be seen here.
         plan = self.plan.with_plans([self.planner(self._seen_by(view)) for view in aimed])
         settings = settings_for_views(self.world, plan, self.settings.quality, **self.overrides)
         views = views_of(self.world, plan, settings)
-        image = for_people(self.scene.image)
+        image = for_people(self.scene.image, picture_width)
         return replace(self.with_scene(changed(self.scene, image=image)), plan=plan, settings=settings, views=views)
 
     def _seen_by(self, view: ObservationView) -> World:

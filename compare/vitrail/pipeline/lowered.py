@@ -34,7 +34,7 @@ class Lowered:
 def job_of(loaded: Loaded, request: Request) -> Job:
     """The job that a request makes of a scene. Raises the Fault of a setting that cannot be."""
     job = prepare(loaded, request.quality, request.overrides)
-    return job.with_views() if request.views else job
+    return job.with_views(request.picture_width) if request.views else job
 
 
 def lower(job: Job, request: Request) -> Lowered:

@@ -11,6 +11,7 @@ from vitrail.engines.povray import Povray
 from vitrail.engines.tracer import Tracer
 from vitrail.pipeline.defect import Defect
 from vitrail.plan.settings import Quality
+from vitrail.plan.views import PICTURE_WIDTH
 
 BUDGET_S = 60.0
 """CPU seconds per scene that a run may cost beyond its first looks: a minute is what a person waits for an answer."""
@@ -22,7 +23,8 @@ class Request:
 
     ``against`` says what the tracer is held against beside closed forms: ``povray``, ``stored`` (its own accepted
     image, made again by that image's recipe), both, or nothing. ``threads`` 0 takes every core; ``jobs`` scenes are
-    worked on at a time. With ``views`` every observation is measured in a picture of its own. After the first look up
+    worked on at a time. With ``views`` every observation is measured in a picture of its own, and the scene's
+    own picture has at least ``picture_width`` pixels across. After the first look up
     to ``rounds`` more buy samples for what is in doubt, for at most ``budget_s`` CPU seconds over all scenes; None is
     a minute per scene, shared. ``references`` is the folder of closed forms, thresholds and stored images, or None for
     the one nearest to each scene.
@@ -34,6 +36,7 @@ class Request:
     threads: int = 0
     jobs: int = 1
     views: bool = True
+    picture_width: int = PICTURE_WIDTH
     rounds: int = 0
     budget_s: float | None = None
     references: Path | None = None

@@ -9,6 +9,7 @@ from vitrail.judge.records import SceneResult, Status
 from vitrail.pipeline.job import Job
 from vitrail.pipeline.record_parts import plan_records
 from vitrail.pipeline.request import Request
+from vitrail.plan.views import PICTURE_WIDTH
 from vitrail.scene.load import Loaded
 from vitrail.scene.print import scene_hash
 
@@ -62,6 +63,8 @@ def reproduce(path: Path, quality: str, request: Request) -> str:
     line = f"vitrail compare {path} --out out --quality {quality} {options}".rstrip()
     if not request.views and "stored" not in request.against:
         line += " --no-views"
+    elif request.picture_width != PICTURE_WIDTH:
+        line += f" --picture-width {request.picture_width}"
     if request.against != ("povray",):
         line += f" --against {AGAINST[frozenset(request.against)]}"
     return line + (f" --inject-defect {request.defect.name}" if request.defect.name else "")

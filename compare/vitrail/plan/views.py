@@ -92,9 +92,9 @@ def views_of(world: World, plan: Plan, settings: Settings) -> tuple[ObservationV
     )
 
 
-def for_people(image: Image) -> Image:
-    """The scene's own picture in so many pixels that people want to look at it; each becomes a square of pixels."""
-    times = max(min(math.ceil(PICTURE_WIDTH / image.width), LARGEST // max(image.width, image.height)), 1)
+def for_people(image: Image, width: int = PICTURE_WIDTH) -> Image:
+    """The scene's own picture, at least ``width`` pixels wide; each pixel of the scene becomes a square of pixels."""
+    times = max(min(math.ceil(width / image.width), LARGEST // max(image.width, image.height)), 1)
     return changed(image, width=image.width * times, height=image.height * times)
 
 
