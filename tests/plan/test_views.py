@@ -20,7 +20,7 @@ from vitrail.pipeline.job import prepare
 from vitrail.plan.analyse import analyse
 from vitrail.plan.budget import settings_for
 from vitrail.plan.settings import Quality
-from vitrail.plan.views import COARSE, FINE, LEAST_MARGIN, PIXELS, THIN, ObservationView, views_of
+from vitrail.plan.views import COARSE, EDGES, FINE, LEAST_MARGIN, MEANS, PIXELS, THIN, ObservationView, views_of
 from vitrail.scene.load import load, load_text
 from vitrail.scene.model import Scene
 from vitrail.scene.print import print_scene
@@ -155,11 +155,19 @@ def test_names_are_names_of_files() -> None:
 
 def test_a_caustic_has_the_samples_that_resolve_its_discs() -> None:
     scene = ball_over_floor(camera=FLAT, observe=(observation("spot"),))
-    # A pixel of 1/128 and samples every 1.5 radii: 128 * 1.5 * radius = 1/3 asks for 9.
-    (view,) = views(scene, gather_radius_m=1 / (3 * 1.5 * 128) * (1 + 1e-9), samples=4)
-    assert view.samples == 9
+    # A pixel of 1/128 and samples every 1.5 radii: 128 * 1.5 * radius = 1/5 asks for 25.
+    (view,) = views(scene, gather_radius_m=1 / (5 * 1.5 * 128) * (1 + 1e-9), samples=4)
+    assert view.samples == 25
     (draft,) = views(scene, gather_radius_m=1 / (3 * 1.5 * 128), quality=Quality.DRAFT)
     assert draft.samples == 1
+
+
+@pytest.mark.parametrize(("phenomenon", "samples"), [("diffusion", MEANS), ("refraction", EDGES), ("shadow", EDGES)])
+def test_edges_have_more_samples_than_means(phenomenon: str, samples: int) -> None:
+    scene = ball_over_floor(camera=FLAT, observe=(observation("spot", phenomenon=phenomenon),))
+    assert [view.samples for view in views(scene, samples=4)] == [samples]
+    assert [view.samples for view in views(scene, samples=100)] == [100]
+    assert [view.samples for view in views(scene, quality=Quality.DRAFT, samples=4)] == [4]
 
 
 def test_a_job_with_views_gathers_as_fine_as_its_patches_whatever_its_image() -> None:
@@ -172,6 +180,8 @@ def test_a_job_with_views_gathers_as_fine_as_its_patches_whatever_its_image() ->
     assert job.settings.gather_radius_m < plain.settings.gather_radius_m
     asked = prepare(load(ball), Quality.NORMAL, {"gather_radius_m": 0.25, "samples": 7}).with_views()
     assert (asked.settings.gather_radius_m, asked.settings.samples) == (0.25, 7)
+    assert {view.samples for view in asked.views} == {7}
+    assert (job.settings.branch_share, plain.settings.branch_share) == (1e-4, 0.01)
 
 
 def test_what_only_a_view_is_fine_enough_to_show_is_required() -> None:

@@ -62,7 +62,7 @@ class Job:
         # A view has finer pixels than the picture: what stays below one there may be seen here.
         plan = self.plan.with_plans([self.planner(self._seen_by(view)) for view in aimed])
         settings = settings_for_views(self.world, plan, self.settings.quality, **self.overrides)
-        views = views_of(self.world, plan, settings)
+        views = views_of(self.world, plan, settings, fixed_samples="samples" in self.overrides)
         image = for_people(self.scene.image, picture_width)
         return replace(self.with_scene(changed(self.scene, image=image)), plan=plan, settings=settings, views=views)
 

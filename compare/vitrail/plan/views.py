@@ -38,6 +38,19 @@ PIXELS: dict[Phenomenon, int] = {
 }
 """Pixels along the longer side of a patch: fine for rings and edges, fewer for a moved pattern, fewest for means."""
 
+EDGES, MEANS = 48, 16
+SAMPLES: dict[Phenomenon, int] = {
+    Phenomenon.REFRACTION: EDGES,
+    Phenomenon.REFLECTION: EDGES,
+    Phenomenon.TOTAL_INTERNAL_REFLECTION: EDGES,
+    Phenomenon.SHADOW: EDGES,
+    Phenomenon.ROUGHNESS: EDGES,
+}
+"""Samples of a pixel at least where the place of an edge is asked, and ``MEANS`` elsewhere.
+
+An edge along the rows of a view lies at one place of every pixel, which POV-Ray's grids know to a tenth of a pixel with
+48 samples, half of the tolerance, and to a third with 4. A view has so few pixels that starting POV-Ray costs more."""
+
 THIN = 32
 """Pixels along the shorter side at least, for a patch that is narrow or seen at a slant."""
 
@@ -81,14 +94,20 @@ class ObservationView:
     samples: int
 
 
-def views_of(world: World, plan: Plan, settings: Settings) -> tuple[ObservationView, ...]:
-    """A view for each observed patch, in the order of the scene. Observations of one patch share its view."""
+def views_of(
+    world: World, plan: Plan, settings: Settings, *, fixed_samples: bool = False
+) -> tuple[ObservationView, ...]:
+    """A view for each observed patch, in the order of the scene. Observations of one patch share its view.
+
+    With ``fixed_samples`` every view has the samples of ``settings``, as where somebody asked for them.
+    """
     patches: dict[Patch, list[Observation]] = {}
     for entry in world.scene.observe:
         patches.setdefault(entry.patch, []).append(entry)
     names = _file_names([entries[0].name for entries in patches.values()])
     return tuple(
-        _view(world, plan, settings, name, entries) for name, entries in zip(names, patches.values(), strict=True)
+        _view(world, plan, settings, name, entries, fixed_samples)
+        for name, entries in zip(names, patches.values(), strict=True)
     )
 
 
@@ -104,16 +123,19 @@ def token(image: Image) -> Image:
     return changed(image, width=max(round(image.width / shorter), 1), height=max(round(image.height / shorter), 1))
 
 
-def _view(world: World, plan: Plan, settings: Settings, name: str, entries: Sequence[Observation]) -> ObservationView:
+def _view(
+    world: World, plan: Plan, settings: Settings, name: str, entries: Sequence[Observation], fixed_samples: bool
+) -> ObservationView:
     patch, scene = entries[0].patch, world.scene
     pixels = max(PIXELS[entry.phenomenon] for entry in entries)
     framed = _framed(scene.camera, scene.image, patch, pixels)
     camera, image = framed or _unmoved(scene.camera, scene.image, patch, pixels)
     samples = settings.samples
-    is_free = scene.image.samples is None and settings.quality is not Quality.DRAFT
-    observes_caustic = any(entry.phenomenon is Phenomenon.CAUSTIC for entry in entries)
-    if framed and is_free and observes_caustic and plan.requires(Phenomenon.CAUSTIC):
-        samples = max(samples, samples_to_see(View.of(camera, image), patch, settings.gather_radius_m))
+    if not fixed_samples and scene.image.samples is None and settings.quality is not Quality.DRAFT:
+        samples = max(samples, *(SAMPLES.get(entry.phenomenon, MEANS) for entry in entries))
+        observes_caustic = any(entry.phenomenon is Phenomenon.CAUSTIC for entry in entries)
+        if framed and observes_caustic and plan.requires(Phenomenon.CAUSTIC):
+            samples = max(samples, samples_to_see(View.of(camera, image), patch, settings.gather_radius_m))
     return ObservationView(name, tuple(entry.name for entry in entries), camera, image, samples)
 
 
