@@ -190,7 +190,7 @@ struct Settings {
   double memory_limit_mb = 0;  // 0: no limit
   Solver solver = Solver::automatic;
   double branch_share = 1e-2;  // both ways on are followed from this share of a look on; below it, one by chance
-  bool gather_disc = false;  // caustics as means over the gather disc, by any solver
+  bool gather_disc = false;    // caustics as means over the gather disc, by any solver
 };
 
 struct Scene {
