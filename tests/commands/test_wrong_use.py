@@ -153,7 +153,10 @@ def test_a_wrong_ray_is_told_with_its_remedy(arguments: tuple[str, ...], words: 
         (("rendr",), "rendr: there is no such verb; did you mean `render`?\n"),
         (("--versoin",), "--versoin: there is no such option; did you mean `--version`?\n"),
         (("render", "--out", "image.exr"), "SCENE: is missing; `vitrail render --help` says what it takes\n"),
-        (("emit", "tracr", "a", "--out", "b"), "ENGINE tracr: is not one of tracer, povray; did you mean `tracer`?\n"),
+        (
+            ("emit", "tracr", "a", "--out", "b"),
+            "TARGET tracr: is not one of tracer, povray, views; did you mean `tracer`?\n",
+        ),
     ],
 )
 def test_a_wrong_word_is_told_before_any_verb_runs(arguments: tuple[object, ...], message: str) -> None:
