@@ -97,7 +97,7 @@ TEST(RunRecord, SaysWhatWasUsedAndDone) {
   Scene scene;
   scene.scene_hash = "abc123";
   scene.settings.photons = 42;
-  Rendering rendering{Film(1, 1), {}, {}, {}, {}, {"a \"quoted\" warning"}, true};
+  Rendering rendering{.film = Film(1, 1), .warnings = {"a \"quoted\" warning"}, .interrupted = true};
   rendering.ledger.emitted = {1, 1, 1};
   rendering.ledger.stored = {0.5, 0.5, 0.5};
   const std::string record = run_record_json(scene, rendering, {"0.1", 2, 1.5, 0.75});

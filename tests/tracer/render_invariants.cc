@@ -115,15 +115,45 @@ TEST(Image, IsTheSumOfItsLayersAndTheMeanOfItsHalves) {
   EXPECT_EQ(seen[static_cast<int>(Layer::indirect_light)], 0);
 }
 
-/// One sample per pixel serves both halves; without photons they are then the same.
-TEST(Image, WithOneSampleHasEqualHalvesBesidesPhotons) {
+/// The mixed scene with one sample per pixel, and nothing to draw lots for but weak branches.
+Scene scene_of_one_sample() {
   Scene scene = mixed_scene();
   scene.settings.samples = 1;
-  scene.plan.caustic = false;
+  scene.plan.caustic = scene.plan.roughness = false;
+  return scene;
+}
+
+/// One sample per pixel serves both halves where every way is followed; without photons they are then the same.
+TEST(Image, WithOneSampleHasEqualHalvesBesidesPhotons) {
+  Scene scene = scene_of_one_sample();
+  scene.settings.branch_share = 0;
   const Film film = rendered(scene).film;
   for (int y = 0; y < film.height(); ++y) {
     for (int x = 0; x < film.width(); ++x) EXPECT_EQ(film.half(0, x, y), film.half(1, x, y));
   }
+}
+
+/// Whether a pixel shows nothing but what its first surface scatters: light divides nowhere on the way.
+bool is_undivided(const Film& film, int x, int y) {
+  return is_black(film.layer(Layer::reflection, x, y)) && is_black(film.layer(Layer::refraction, x, y)) &&
+         is_black(film.layer(Layer::total_internal_reflection, x, y));
+}
+
+/// A look with weak branches is made for each half, or the noise of its chance would not show; others serve both.
+TEST(Image, WithOneSampleHasTwoHalvesWhereWeakBranchesAre) {
+  const Film film = rendered(scene_of_one_sample()).film;
+  int undivided = 0, different = 0;
+  for (int y = 0; y < film.height(); ++y) {
+    for (int x = 0; x < film.width(); ++x) {
+      const bool same = film.half(0, x, y) == film.half(1, x, y);
+      different += !same;
+      if (!is_undivided(film, x, y)) continue;
+      ++undivided;
+      EXPECT_TRUE(same) << x << ", " << y;
+    }
+  }
+  EXPECT_GT(undivided, 100);
+  EXPECT_GT(different, 20);
 }
 
 /// Where lots are drawn, each half draws its own, or the noise of one sample would not show.
