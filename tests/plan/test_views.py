@@ -20,7 +20,7 @@ from vitrail.pipeline.job import prepare
 from vitrail.plan.analyse import analyse
 from vitrail.plan.budget import settings_for
 from vitrail.plan.settings import Quality
-from vitrail.plan.views import COARSE, EDGES, FINE, LEAST_MARGIN, MEANS, PIXELS, THIN, ObservationView, views_of
+from vitrail.plan.views import COARSE, EDGES, FINE, LEAST_MARGIN, MEANS, PIXELS, ROUGH, THIN, ObservationView, views_of
 from vitrail.scene.load import load, load_text
 from vitrail.scene.model import Scene
 from vitrail.scene.print import print_scene
@@ -162,7 +162,9 @@ def test_a_caustic_has_the_samples_that_resolve_its_discs() -> None:
     assert draft.samples == 1
 
 
-@pytest.mark.parametrize(("phenomenon", "samples"), [("diffusion", MEANS), ("refraction", EDGES), ("shadow", EDGES)])
+@pytest.mark.parametrize(
+    ("phenomenon", "samples"), [("diffusion", MEANS), ("refraction", EDGES), ("shadow", EDGES), ("roughness", ROUGH)]
+)
 def test_edges_have_more_samples_than_means(phenomenon: str, samples: int) -> None:
     scene = ball_over_floor(camera=FLAT, observe=(observation("spot", phenomenon=phenomenon),))
     assert [view.samples for view in views(scene, samples=4)] == [samples]

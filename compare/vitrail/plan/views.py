@@ -38,18 +38,19 @@ PIXELS: dict[Phenomenon, int] = {
 }
 """Pixels along the longer side of a patch: fine for rings and edges, fewer for a moved pattern, fewest for means."""
 
-EDGES, MEANS = 48, 16
+EDGES, MEANS, ROUGH = 48, 16, 64
 SAMPLES: dict[Phenomenon, int] = {
     Phenomenon.REFRACTION: EDGES,
     Phenomenon.REFLECTION: EDGES,
     Phenomenon.TOTAL_INTERNAL_REFLECTION: EDGES,
     Phenomenon.SHADOW: EDGES,
-    Phenomenon.ROUGHNESS: EDGES,
+    Phenomenon.ROUGHNESS: ROUGH,
 }
 """Samples of a pixel at least where the place of an edge is asked, and ``MEANS`` elsewhere.
 
 An edge along the rows of a view lies at one place of every pixel, which POV-Ray's grids know to a tenth of a pixel with
-48 samples, half of the tolerance, and to a third with 4. A view has so few pixels that starting POV-Ray costs more."""
+48 samples, half of the tolerance, and to a third with 4. A view has so few pixels that starting POV-Ray costs more.
+The blur of a frosted pane was known to 160 % with 4, to 81 % with 16, and to its tolerance of 11 % with ``ROUGH``."""
 
 THIN = 32
 """Pixels along the shorter side at least, for a patch that is narrow or seen at a slant."""

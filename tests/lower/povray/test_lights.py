@@ -9,8 +9,6 @@ import pytest
 
 from tests.lower.povray.real_povray import HALF_FLOAT, lowered, rendered, scene
 from vitrail.lower.povray.certificate.certificate import Named
-from vitrail.lower.povray.text.emitters import Grid, disc_points, rectangle_points, sphere_directions, sun_directions
-from vitrail.scene.model import Disc, Rectangle
 
 pytestmark = pytest.mark.povray
 
@@ -114,19 +112,19 @@ def test_a_sun_keeps_its_irradiance_and_softens_its_shadows() -> None:
     x = (np.arange(80) + 0.5) / 200 - 0.2
     share = np.clip(x / half, -1, 1)
     lit = 0.5 - (np.arcsin(share) + share * np.sqrt(1 - share**2)) / math.pi
-    # 27 small suns a half: now and then two of them set at the same place.
-    assert row == pytest.approx(lit, abs=2 / 27)
+    # 21 small suns a half: now and then two of them set at the same place.
+    assert row == pytest.approx(lit, abs=2 / 21)
     assert row[:20] == pytest.approx(1, rel=HALF_FLOAT)
 
 
 def test_a_white_sky_lights_a_card_with_its_own_radiance() -> None:
     """A white Lambert surface under a constant sky is as bright as the sky.
 
-    1 %: some 96 directions a half over the whole sphere, mirrored within their cells.
+    0.1 %: for a card that faces a pole of the lattice 89 directions a half err by 0.01 %; half floats add 0.05 %.
     """
     sky = "- {name: sky, environment: {radiance: [1, 2, 4]}}"
     seen = rendered(scene("card: {diffuse: 1}", CARD, sky, SPOT_OF_CARD))
-    assert seen.mean == pytest.approx([1, 2, 4], rel=0.01)
+    assert seen.mean == pytest.approx([1, 2, 4], rel=0.001)
 
 
 def test_a_constant_sky_is_seen_and_mirrored() -> None:
@@ -136,25 +134,6 @@ def test_a_constant_sky_is_seen_and_mirrored() -> None:
     image = rendered(scene("mirror: {reflection: 0.5}", objects, sky, camera)).image.radiance
     assert image[:, :6] == pytest.approx(2, rel=HALF_FLOAT)
     assert image[:, 12:20] == pytest.approx(1, rel=HALF_FLOAT)
-
-
-@pytest.mark.parametrize("count", [1, 5, 24, 96])
-def test_small_lights_share_the_whole_and_mirror_in_their_cells(count: int) -> None:
-    plain, mirrored = Grid(count, 7), Grid(count, 7, is_mirrored=True)
-    disc = Disc(center=(0, 0, 0), normal=(0, 0, 1), radius=2)
-    rectangle = Rectangle(center=(0, 0, 0), u=(1, 0, 0), v=(0, 3, 0))
-    for make in (
-        lambda grid: disc_points(disc, grid),
-        lambda grid: rectangle_points(rectangle, grid),
-        lambda grid: sphere_directions(grid),
-    ):
-        first, second = make(plain), make(mirrored)
-        assert math.fsum(each.share for each in first) == pytest.approx(1)
-        assert len(first) == len(second) and (count == 1 or first != second)
-    suns = sun_directions((0, -1, 0), 30, plain)
-    facing = math.fsum(each.share * -each.direction[1] for each in suns)
-    assert facing == pytest.approx(1)
-    assert all(-each.direction[1] >= math.cos(math.radians(15)) - 1e-12 for each in suns)
 
 
 def test_each_half_has_its_own_small_lights_and_the_certificate_counts_them() -> None:

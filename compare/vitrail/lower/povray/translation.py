@@ -29,7 +29,7 @@ from vitrail.plan.reduced import reduced
 from vitrail.plan.settings import Quality, Settings
 from vitrail.scene.model import Scene
 
-EMITTERS: dict[Quality, int] = {Quality.DRAFT: 12, Quality.NORMAL: 24, Quality.REFERENCE: 96}
+EMITTERS: dict[Quality, int] = {Quality.DRAFT: 13, Quality.NORMAL: 21, Quality.REFERENCE: 89}
 """Small lights that stand for one with a surface or a solid angle, in each half image."""
 
 
@@ -120,11 +120,10 @@ def _bodies(asked: Asked, *, is_readable: bool) -> Bodies:
 
 
 def _lighting(asked: Asked, units: Normalisation, skies: Skies, targets: tuple[Ball, ...]) -> Lighting:
-    """The small lights of the first half image, and on the other side of their cells those of the second."""
+    """The small lights of both half images: lattices that are shifted apart at random."""
     grid = Grid(EMITTERS[asked.settings.quality], asked.settings.seed)
-    mirrored = {"a": False, "b": True}
     halves = {
-        half: off_centre(sources(asked, units, replace(grid, is_mirrored=other), skies), targets, other)
-        for half, other in mirrored.items()
+        half: off_centre(sources(asked, units, replace(grid, is_second=is_second), skies), targets, is_second)
+        for half, is_second in {"a": False, "b": True}.items()
     }
     return Lighting(halves, skies)

@@ -44,7 +44,7 @@ def _grids(scene: Scene, lights: Sequence[Source], skies: Skies) -> Iterator[Ent
                 Phenomenon.SHADOW,
                 the_light(scene, index),
                 f"one {light.emitter.key} light",
-                f"{count} small ones in each half image, at random in cells of equal {measure}",
+                f"{count} small ones in each half image, a lattice of equal {measure} at a random place",
                 1 / (2 * count),
                 RELATIVE,
                 "penumbras have steps of one small light; the light as a whole is unbiased",

@@ -1,7 +1,9 @@
 """Where the small lights stand that together make one with a surface or a solid angle.
 
-Each stands at random within its own cell of equal size, so that the sum over all of them is unbiased. The second half
-image has them on the other side of their cells: what varies evenly over a cell cancels in the mean of the two.
+They are a Fibonacci lattice on the unit square, mapped to the light with equal areas: n points have n places along
+either axis. A random shift moves it as a whole, so that the sum over all is unbiased; the second half image has a shift
+of its own, and half the difference of the halves is the error of their mean. The lattice is folded like a tent where
+the square does not close on itself: the error of what varies smoothly then falls as 1/n^2.
 """
 
 from __future__ import annotations
@@ -11,7 +13,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from random import Random
 
-from vitrail.base.vector import Vec, add, cross, length, scale, unit
+from vitrail.base.vector import Vec, add, cross, scale, unit
 from vitrail.geometry.surface import tangents
 from vitrail.scene.model import Disc, Rectangle
 
@@ -20,7 +22,7 @@ SMALL_SUN_DEG = 2.0
 
 
 SKY_SHARE = 4
-"""Directions of a sky for each small light of a lamp."""
+"""Directions of a sky over ``count``."""
 
 
 @dataclass(frozen=True)
@@ -34,37 +36,46 @@ class Emitter:
 
 @dataclass(frozen=True)
 class Grid:
-    """How many small lights, from which seed; ``is_mirrored`` puts each on the other side of its cell."""
+    """About how many small lights, from which seed; ``is_second`` are those of the second half image."""
 
     count: int
     seed: int
-    is_mirrored: bool = False
+    is_second: bool = False
 
-    def places(self) -> Iterator[float]:
-        """Random places in [0, 1), one a coordinate of a cell."""
+    def times(self, factor: float) -> Grid:
+        """The same with another number."""
+        return replace(self, count=max(round(factor * self.count), 1))
+
+    def points(self) -> Iterator[tuple[float, float]]:
+        """The shifted lattice, in [0, 1) x [0, 1); its size is the Fibonacci number that is nearest to ``count``."""
+        step, size = 1, 1
+        while size * (step + size) <= self.count**2:
+            step, size = size, step + size
         random = Random(self.seed)
-        while True:
-            place = random.random()
-            yield 1 - place if self.is_mirrored else place
+        shifts = [(random.random(), random.random()) for _ in range(2)]
+        right, up = shifts[self.is_second]
+        for index in range(size):
+            yield (index / size + right) % 1, (index * step % size / size + up) % 1
 
 
 def rectangle_points(shape: Rectangle, grid: Grid) -> list[Emitter]:
-    """Points on a rectangle, cells as nearly square as their number allows."""
-    columns, rows = _columns_and_rows(grid.count, length(shape.u) / length(shape.v))
-    normal = unit(cross(shape.u, shape.v))
+    """Points on a rectangle."""
+    normal, points = unit(cross(shape.u, shape.v)), list(grid.points())
     return [
         Emitter(
-            add(shape.center, add(scale(shape.u, 2 * a - 1), scale(shape.v, 2 * b - 1))), normal, 1 / (columns * rows)
+            add(shape.center, add(scale(shape.u, 2 * _folded(a) - 1), scale(shape.v, 2 * _folded(b) - 1))),
+            normal,
+            1 / len(points),
         )
-        for a, b in _cells(columns, rows, grid)
+        for a, b in points
     ]
 
 
 def disc_points(shape: Disc, grid: Grid) -> list[Emitter]:
-    """Points on a disc, in cells of equal area."""
+    """Points on a disc, equal areas."""
     u, v = tangents(shape.normal)
     found = []
-    for x, y, share in _disc_cells(grid):
+    for x, y, share in _disc_places(grid):
         offset = add(scale(u, shape.radius * x), scale(v, shape.radius * y))
         found.append(Emitter(add(shape.center, offset), unit(shape.normal), share))
     return found
@@ -79,9 +90,9 @@ def sun_directions(direction: Vec, diameter_deg: float, grid: Grid) -> list[Emit
     u, v = tangents(direction)
     reach = math.radians(diameter_deg) / 2
     if diameter_deg < SMALL_SUN_DEG:
-        grid = replace(grid, count=max(1, grid.count // 2))
+        grid = grid.times(0.5)
     found = []
-    for x, y, share in _disc_cells(grid):
+    for x, y, share in _disc_places(grid):
         # Map the disc to the cap with equal areas: 1 - cos(angle) grows with the square of the radius.
         cosine = 1 - (1 - math.cos(reach)) * (x * x + y * y)
         sine, radius = math.sqrt(max(0.0, 1 - cosine * cosine)), math.hypot(x, y)
@@ -93,47 +104,30 @@ def sun_directions(direction: Vec, diameter_deg: float, grid: Grid) -> list[Emit
 
 def sphere_directions(grid: Grid) -> list[Emitter]:
     """Directions over the whole sphere, equal solid angles; many, because half of them are behind every surface."""
-    cells = list(sphere_cells(grid))
+    places = list(sphere_places(grid))
     found = []
-    for a, b in cells:
+    for a, b in places:
         z, turn = 1 - 2 * b, 2 * math.pi * a
         ring = math.sqrt(max(0.0, 1 - z * z))
         way = (ring * math.cos(turn), z, ring * math.sin(turn))
-        found.append(Emitter((0.0, 0.0, 0.0), way, 1 / len(cells)))
+        found.append(Emitter((0.0, 0.0, 0.0), way, 1 / len(places)))
     return found
 
 
-def sphere_cells(grid: Grid) -> Iterator[tuple[float, float]]:
-    """A point in each cell of the unit square that a whole sphere is mapped to: around, and from pole to pole."""
-    columns, rows = _columns_and_rows(SKY_SHARE * grid.count, math.pi)
-    return _cells(columns, rows, grid)
+def sphere_places(grid: Grid) -> Iterator[tuple[float, float]]:
+    """Points of the unit square that a whole sphere is mapped to: around, and from pole to pole."""
+    for a, b in grid.times(SKY_SHARE).points():
+        yield a, _folded(b)
 
 
-def _disc_cells(grid: Grid) -> Iterator[tuple[float, float, float]]:
-    """(x, y, share) in the unit disc: rings of 3, 9, 15, ... cells, all of equal area."""
-    rings = max(1, round(math.sqrt(grid.count / 3)))
-    places = grid.places()
-    turned = Random(grid.seed)
-    per_ring = [3 * (2 * ring + 1) for ring in range(rings)]
-    total, inner = sum(per_ring), 0
-    for cells in per_ring:
-        start = turned.random()
-        for cell in range(cells):
-            radius = math.sqrt((inner + cells * next(places)) / total)
-            turn = 2 * math.pi * (cell + next(places) + start) / cells
-            yield radius * math.cos(turn), radius * math.sin(turn), 1 / total
-        inner += cells
+def _disc_places(grid: Grid) -> Iterator[tuple[float, float, float]]:
+    """(x, y, share) in the unit disc: the square of the radius from the middle to the rim, and the angle around."""
+    points = list(grid.points())
+    for a, b in points:
+        radius, turn = math.sqrt(_folded(a)), 2 * math.pi * b
+        yield radius * math.cos(turn), radius * math.sin(turn), 1 / len(points)
 
 
-def _cells(columns: int, rows: int, grid: Grid) -> Iterator[tuple[float, float]]:
-    """A point in each cell of the unit square."""
-    places = grid.places()
-    for row in range(rows):
-        for column in range(columns):
-            yield (column + next(places)) / columns, (row + next(places)) / rows
-
-
-def _columns_and_rows(count: int, aspect: float) -> tuple[int, int]:
-    """About ``count`` cells that are about square in a shape of this aspect."""
-    columns = max(1, round(math.sqrt(count * aspect)))
-    return columns, max(1, round(count / columns))
+def _folded(place: float) -> float:
+    """A place in [0, 1), there and back: both ends of the lattice meet, whatever varies between them."""
+    return 1 - abs(2 * place - 1)

@@ -22,7 +22,7 @@ from vitrail.base.vector import Vec
 from vitrail.images.exr import ImageError
 from vitrail.images.sky import read_sky
 from vitrail.lower.povray.refusals.refusal import NotTranslatable, Refusals
-from vitrail.lower.povray.text.emitters import Grid, sphere_cells
+from vitrail.lower.povray.text.emitters import Grid, sphere_places
 from vitrail.lower.povray.text.exposure import Exposure
 from vitrail.lower.povray.text.sdl import Block, Product, Quoted, block, statement
 from vitrail.scene.diagnostic import Diagnostic
@@ -80,23 +80,23 @@ class Sky:
     def directions(self, grid: Grid) -> list[tuple[Vec, Triplet]]:
         """The way each small light shines, and its irradiance on a facing surface.
 
-        Their cells send equal power, summed over the channels. For an image of one radiance these are the lights of
+        They send equal power, summed over the channels. For an image of one radiance these are the lights of
         ``sphere_directions``.
         """
         height, width, _ = self.radiance.shape
         bounds = np.cos(np.pi * np.arange(height + 1) / height)
         weight, solid_angle = self._weight, 2 * np.pi / width * (bounds[:-1] - bounds[1:])
         rows = _cumulative(weight.sum(axis=1) * solid_angle)
-        cells = list(sphere_cells(grid))
+        places = list(sphere_places(grid))
         found = []
-        for a, b in cells:
+        for a, b in places:
             row, down = _place(rows, 1 - b)
             column, along = _place(_cumulative(weight[row]), (a - 0.25) % 1)
             # Spread evenly over the solid angle of the pixel.
             up = bounds[row] + (bounds[row + 1] - bounds[row]) * down
             ring, longitude = math.sqrt(max(0.0, 1 - up * up)), math.pi - 2 * math.pi * (column + along) / width
             way = (-ring * math.sin(longitude), -float(up), -ring * math.cos(longitude))
-            share = rows[-1] / (weight[row, column] * len(cells))
+            share = rows[-1] / (weight[row, column] * len(places))
             red, green, blue = (self.radiance[row, column] * share).tolist()
             found.append((way, (red, green, blue)))
         return found
