@@ -7,7 +7,8 @@ from pathlib import Path
 import pytest
 
 from tests.end_to_end.conftest import REFERENCES, ROOT, Compare
-from vitrail.judge.stored import IMAGE, read_stored
+from vitrail.judge.stored import IMAGE, read_provenance, read_stored
+from vitrail.plan.settings import Settings
 from vitrail.scene.load import load
 from vitrail.scene.print import scene_hash
 
@@ -28,6 +29,13 @@ def test_a_stored_image_shows_its_scene_as_it_is_now_and_says_why_it_was_accepte
     found = read_stored(REFERENCES, stored.name, scene_hash(loaded.scene))
     assert len(found.provenance.because.split()) > 3
     assert found.image.half_a is not None, "without halves no number of it has an interval"
+
+
+@pytest.mark.parametrize("stored", STORED, ids=lambda path: path.name)
+def test_the_recipe_of_a_stored_image_names_every_setting_that_has_no_value_of_its_own(stored: Path) -> None:
+    """One that it lacks would take today's usual value, and the image could not be made again."""
+    needed = {name for name, setting in Settings.model_fields.items() if setting.is_required()}
+    assert needed <= read_provenance(REFERENCES, stored.name).settings.keys()
 
 
 def test_all_stored_images_together_stay_small_enough_for_git() -> None:
