@@ -6,6 +6,7 @@
 #include "geometry/embree_search.h"
 #include "geometry/nearest.h"
 #include "geometry/primitive.h"
+#include "geometry/solids_alone.h"
 
 namespace vitrail {
 
@@ -28,12 +29,16 @@ struct Intersector::State {
   std::vector<Primitive> primitives;  // by object
   std::vector<std::uint32_t> list;    // objects that every ray asks: all in a small scene, else those without an end
   std::unique_ptr<EmbreeSearch> tree;
+  std::vector<bool> alone;                   // by object, if there is a tree: `solids_alone`
   std::vector<std::uint32_t> listed_solids;  // of glass, to be asked one by one whether they hold a point
   Bounds bounds;
   std::uint64_t primitive_count = 0;
 
   explicit State(const Scene& asked) : scene(asked) {}
   void choose_search(Search search);
+  bool is_alone_inside(const Departures& departures) const {
+    return tree != nullptr && departures.size() == 1 && departures[0].inside && alone[departures[0].object];
+  }
   Nearest nearest(const Ray& ray, const Departures& departures) const;
   void leave_mesh(const Ray& ray, const Departure& left, Nearest& found) const;
   /// Describe a candidate as a crossing of the hit; the point on its surface.
@@ -81,7 +86,9 @@ void Intersector::State::choose_search(Search search) {
     const bool is_mesh = std::holds_alternative<Mesh>(primitives[object]);
     if (scene.material_of(object).transmits() && (listed || is_mesh)) listed_solids.push_back(object);
   }
-  if (!items.empty()) tree = std::make_unique<EmbreeSearch>(primitives, std::move(items));
+  if (items.empty()) return;
+  tree = std::make_unique<EmbreeSearch>(primitives, std::move(items));
+  alone = solids_alone(primitives, list);
 }
 
 Nearest Intersector::State::nearest(const Ray& ray, const Departures& departures) const {
@@ -89,6 +96,14 @@ Nearest Intersector::State::nearest(const Ray& ray, const Departures& departures
   for (const std::uint32_t object : list) {
     ShapeHit hit;
     if (intersect(primitives[object], ray, departure_of(departures, object), hit)) found.offer(object, hit);
+  }
+  // A ray inside a solid that stands alone comes to its own face before any other of the tree.
+  if (is_alone_inside(departures)) {
+    ShapeHit hit;
+    if (intersect(primitives[departures[0].object], ray, &departures[0], hit)) {
+      found.offer(departures[0].object, hit);
+      return found;
+    }
   }
   if (tree) tree->closest(ray, departures, found);
   for (const Departure& left : departures)
