@@ -6,14 +6,18 @@ PRICES ?= out/prices
 # two takes 75 CPU seconds, a quarter of all others together. Every scene there is: make demo SCENES=scenes.
 DEAR := scenes/calibration/closed_room.yaml scenes/calibration/prism_screen.yaml
 SCENES ?= $(filter-out $(DEAR),$(wildcard scenes/calibration/*.yaml scenes/conformance/*.yaml scenes/paper/figure_*.yaml))
+ALL := $(foreach folder,calibration conformance paper,$(wildcard scenes/$(folder)/*.yaml))
+SLOW := scenes/paper/goblet.yaml scenes/paper/backlit_vase.yaml
+AGREEMENT ?= $(abspath out/agreement)
 # CPU seconds that a scene in doubt may cost beyond its first look.
 BUDGET_S ?= 5
 
-.PHONY: help setup build demo prices test bench lint format clean
+.PHONY: help setup build demo agreement prices test bench lint format clean
 
 help:
 	@echo 'make demo    set up, build, compare the scenes in both engines (5 minutes), say what to open'
 	@echo 'make test    set up, then every check: C++ tests (release, sanitizers), linters, Python and end-to-end tests'
+	@echo 'make agreement  measure docs/agreement.md again: every scene in both engines (25 CPU minutes)'
 	@echo 'make prices  measure again what accuracy costs in both engines, for the four scenes of docs/studies'
 	@echo 'make bench   measure the tracer'
 	@echo 'make lint    check formats, lint and types        make format  let the formatters write'
@@ -29,6 +33,14 @@ build: setup
 # it ends with 0 unless something deviates or fails.
 demo: build
 	@.venv/bin/vitrail compare $(SCENES) --out $(abspath $(OUT)) --jobs 2 --budget-s $(BUDGET_S) --allow-open
+
+# The goblet and the vase at a price of their own: a draft of each costs as much as twenty other scenes.
+agreement: build
+	@.venv/bin/vitrail compare $(filter-out $(SLOW),$(ALL)) --out $(AGREEMENT)/scenes --jobs 2 --picture-width 1 \
+	  --rounds 2 --budget-s 800 --allow-open
+	@.venv/bin/vitrail compare $(SLOW) --out $(AGREEMENT)/slow --jobs 2 --picture-width 1 --quality draft \
+	  --set photons=50000 --rounds 0 --allow-open
+	@.venv/bin/vitrail agreement $(AGREEMENT)/scenes $(AGREEMENT)/slow
 
 # A prism takes POV-Ray one run a band, so fewer settings are tried on it.
 prices: build
