@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -19,6 +20,7 @@ from vitrail.images.patch import make_grid
 from vitrail.pipeline.job import prepare
 from vitrail.plan.analyse import analyse
 from vitrail.plan.budget import settings_for
+from vitrail.plan.plan import Plan
 from vitrail.plan.settings import Quality
 from vitrail.plan.views import COARSE, EDGES, FINE, LEAST_MARGIN, MEANS, PIXELS, ROUGH, THIN, ObservationView, views_of
 from vitrail.scene.load import load, load_text
@@ -167,9 +169,24 @@ def test_a_caustic_has_the_samples_that_resolve_its_discs() -> None:
 )
 def test_edges_have_more_samples_than_means(phenomenon: str, samples: int) -> None:
     scene = ball_over_floor(camera=FLAT, observe=(observation("spot", phenomenon=phenomenon),))
-    assert [view.samples for view in views(scene, samples=4)] == [samples]
-    assert [view.samples for view in views(scene, samples=100)] == [100]
-    assert [view.samples for view in views(scene, quality=Quality.DRAFT, samples=4)] == [4]
+    world, caustic = World.of_scene(scene), PLAN.entries[Phenomenon.CAUSTIC]
+    plain = replace(PLAN, entries={**PLAN.entries, Phenomenon.CAUSTIC: replace(caustic, required=False)})
+
+    def samples_of(plan: Plan, **overrides: object) -> list[int]:
+        return [view.samples for view in views_of(world, plan, settings_for(WORLD, PLAN, **overrides))]
+
+    assert samples_of(plain, samples=4) == [samples]
+    assert samples_of(plain, samples=100) == [100]
+    assert samples_of(plain, quality=Quality.DRAFT, samples=4) == [4]
+    # Where photons are gathered for each sample, edges begin with as few as means.
+    assert samples_of(PLAN, samples=4) == [MEANS if samples == EDGES else samples]
+
+
+def test_samples_of_the_image_are_for_people() -> None:
+    figure = next(path for path in SCENES if path.stem == "figure_5")
+    job = prepare(load(figure)).with_views()
+    assert job.scene.image.samples == 1
+    assert min(view.samples for view in job.views) == MEANS
 
 
 def test_a_job_with_views_gathers_as_fine_as_its_patches_whatever_its_image() -> None:

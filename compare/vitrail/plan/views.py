@@ -49,7 +49,9 @@ SAMPLES: dict[Phenomenon, int] = {
 """Samples of a pixel at least where the place of an edge is asked, and ``MEANS`` elsewhere.
 
 An edge along the rows of a view lies at one place of every pixel, which POV-Ray's grids know to a tenth of a pixel with
-48 samples, half of the tolerance, and to a third with 4. A view has so few pixels that starting POV-Ray costs more.
+48 samples, half of the tolerance, and to a third with 4. A view has so few pixels that starting POV-Ray costs more, but
+where each sample gathers photons: what was seen through figure 1's ball took 136 of its 165 CPU s. What ``image`` says
+of samples is for people, as its size is.
 The blur of a frosted pane was known to 160 % with 4, to 81 % with 16, and to its tolerance of 11 % with ``ROUGH``."""
 
 THIN = 32
@@ -132,12 +134,18 @@ def _view(
     framed = _framed(scene.camera, scene.image, patch, pixels)
     camera, image = framed or _unmoved(scene.camera, scene.image, patch, pixels)
     samples = settings.samples
-    if not fixed_samples and scene.image.samples is None and settings.quality is not Quality.DRAFT:
-        samples = max(samples, *(SAMPLES.get(entry.phenomenon, MEANS) for entry in entries))
+    if not fixed_samples and settings.quality is not Quality.DRAFT:
+        samples = max(samples, *(_samples(entry.phenomenon, plan) for entry in entries))
         observes_caustic = any(entry.phenomenon is Phenomenon.CAUSTIC for entry in entries)
         if framed and observes_caustic and plan.requires(Phenomenon.CAUSTIC):
             samples = max(samples, samples_to_see(View.of(camera, image), patch, settings.gather_radius_m))
     return ObservationView(name, tuple(entry.name for entry in entries), camera, image, samples)
+
+
+def _samples(phenomenon: Phenomenon, plan: Plan) -> int:
+    """Samples of a pixel at least; where photons are gathered for each of them, edges too begin with ``MEANS``."""
+    samples = SAMPLES.get(phenomenon, MEANS)
+    return MEANS if samples == EDGES and plan.requires(Phenomenon.CAUSTIC) else samples
 
 
 def _framed(camera: Camera, image: Image, patch: Patch, pixels: int) -> tuple[Camera, Image] | None:
