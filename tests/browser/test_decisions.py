@@ -53,7 +53,7 @@ def test_an_accepted_image_becomes_the_reference_and_another_one_does_not(watche
     (tmp_path / "references").mkdir()
     shutil.copy(ROOT / "references" / "thresholds.yaml", tmp_path / "references")
     scene, out = Path(shutil.copy(CARD, tmp_path / "card.yaml")), tmp_path / "out"
-    options = ("--against", "truth", "--out", out, "--quality", "draft")
+    options = ("--against", "truth", "--out", out, "--quality", "draft", "--no-views")
     # In this project no formula and no older image is known, so nothing can agree yet.
     assert vitrail("compare", scene, *options).returncode == 5
     page, exported = watched.page, tmp_path / "decisions.json"

@@ -77,5 +77,7 @@ def test_decisions_of_a_reader_are_applied(project: Path) -> None:
     done = vitrail("bless", "--from", path)
     assert done.returncode == 0, done.stderr
     assert 'because: "looked at it"' in (project / "references" / "card" / "provenance.yaml").read_text()
+    again = vitrail("bless", scene, "--again", "--dry-run")
+    assert again.returncode == 0 and "the same pixels as were accepted" in again.stdout, again.stderr
     path.write_text("{}")
     assert vitrail("bless", "--from", path).returncode == 2

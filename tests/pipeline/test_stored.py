@@ -161,14 +161,15 @@ def test_the_change_is_shown_before_it_is_accepted(card: Loaded) -> None:
     assert proposal.older is not None and proposal.older.provenance.because == "the closed form says so"
 
 
-def test_an_image_of_a_finished_run_is_accepted_with_its_recipe(card: Loaded) -> None:
+@pytest.mark.parametrize("width", [1, 480])
+def test_an_image_of_a_finished_run_is_accepted_with_its_recipe(card: Loaded, width: int) -> None:
     engines = {"tracer": FormulaEngine("tracer", noise=0.1), "povray": FormulaEngine("povray")}
     out = card.path.parent / "run"
-    compare([card], Request(out=out, engines=engines, quality="draft", overrides={"seed": 7}))
+    compare([card], Request(out=out, engines=engines, quality="draft", overrides={"seed": 7}, picture_width=width))
     (scene,) = json.loads((out / "results.json").read_text())["scenes"]
     again = FormulaEngine("tracer", noise=0.1)
     work = {"engine": again, "work": out / "work"}
-    # The picture of that run is larger than the scene says, for people: what it shows is rendered at its own size.
+    # The picture of that run is for people, larger or with fewer samples: what it shows is rendered as a reference is.
     propose_from_run(card, references(card), "looked at in the report", out, scene, **work).accept()
     assert again.renders == 1
     stored = read_stored(references(card), "card", scene_hash(card.scene))

@@ -91,8 +91,8 @@ def propose_from_run(
     """Propose the tracer's image of a finished comparison; ``scene`` is its entry in that run's results.json.
 
     ``content`` is that of the image which somebody looked at, where somebody did; another one is refused. A picture
-    that was made larger for people is no reference: ``engine`` renders the scene at its own size into ``work``, with
-    the settings of that run. Raises EngineFailure and ReferencesError.
+    for people, larger or beside views with fewer samples, is no reference: ``engine`` renders the scene at its own size
+    into ``work``, with the settings of that run. Raises EngineFailure and ReferencesError.
     """
     if scene["scene_hash"] != scene_hash(loaded.scene):
         raise ReferencesError(
@@ -107,8 +107,8 @@ def propose_from_run(
         raise ReferencesError(
             f"{run / made['exr']}: is not the image that was decided on; open the report and decide again"
         )
-    settings = scene["settings"]
-    if image.width == loaded.scene.image.width:
+    settings, has_views = scene["settings"], any(entry.get("view") for entry in scene["observations"])
+    if image.width == loaded.scene.image.width and not has_views:
         record = {**made_by["record"], "settings": settings}
         return _proposal(loaded, folder, because, image, record, settings["quality"])
     quality, overrides = Quality(settings["quality"]), {key: settings[key] for key in settings if key != "quality"}
