@@ -178,8 +178,8 @@ def test_edges_have_more_samples_than_means(phenomenon: str, samples: int) -> No
     assert samples_of(plain, samples=4) == [samples]
     assert samples_of(plain, samples=100) == [100]
     assert samples_of(plain, quality=Quality.DRAFT, samples=4) == [4]
-    # Where photons are gathered for each sample, edges begin with as few as means.
-    assert samples_of(PLAN, samples=4) == [MEANS if samples == EDGES else samples]
+    # Where photons are gathered for each sample, all begin with as few as means.
+    assert samples_of(PLAN, samples=4) == [MEANS]
 
 
 def test_samples_of_the_image_are_for_people() -> None:
