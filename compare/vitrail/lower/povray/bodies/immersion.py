@@ -11,7 +11,6 @@ import math
 
 import numpy as np
 
-from vitrail.base.vector import Vec
 from vitrail.geometry.shapes.flat import PlacedDisc, PlacedRectangle
 from vitrail.geometry.surface import tangents
 from vitrail.geometry.touch import TOUCH
@@ -22,16 +21,22 @@ GRID = 33
 """Points along a flat shape, edge to edge, where it is asked whether it stands in glass."""
 
 
-def index_at_camera(world: World) -> float:
-    """The index of what the camera stands in."""
-    return _index_around(world, [world.scene.camera.position], but=None)
+def glass_at_camera(world: World) -> int | None:
+    """The glass that the camera stands in."""
+    return world.medium_around([world.scene.camera.position], None)
+
+
+def glass_around(world: World, index: int) -> int | None:
+    """The glass that holds the whole object ``index``."""
+    solid = world.solids[index]
+    points = solid.surface_points(solid)
+    return world.medium_around(points, index) if points else None
 
 
 def index_around(world: World, index: int) -> float:
     """The refraction index of the glass that holds the whole object ``index``, or 1."""
-    solid = world.solids[index]
-    points = solid.surface_points(solid)
-    return _index_around(world, points, but=index) if points else 1.0
+    ruling = glass_around(world, index)
+    return 1.0 if ruling is None else reference_ior(world.material(ruling))
 
 
 def partly_around(world: World, index: int) -> tuple[int, ...]:
@@ -73,13 +78,3 @@ def _grid(flat: PlacedRectangle | PlacedDisc) -> np.ndarray:
     u, v = tangents(flat.shape.normal)
     radius, turn = flat.shape.radius * (a + 1) / 2, math.pi * b
     return np.asarray(flat.shape.center) + radius * np.cos(turn) * u + radius * np.sin(turn) * v
-
-
-def seen_from_outside(world: World, ior: float) -> float:
-    """What the camera sees of a radiance in a medium of this refraction index."""
-    return (index_at_camera(world) / ior) ** 2
-
-
-def _index_around(world: World, points: list[Vec], but: int | None) -> float:
-    ruling = world.medium_around(points, but)
-    return 1.0 if ruling is None else reference_ior(world.material(ruling))

@@ -41,6 +41,10 @@ class Indices:
             statement("dispersion_samples", max(2, len(self.bands))),
         )
 
+    def shown(self, material: Material, exposure: Exposure) -> float:
+        """The index that the camera's rays meet in a run; where they split into colours in it, the reference."""
+        return reference_ior(material) if exposure.band is None else self._in_band(material, exposure.band, False)
+
     def native_law(self, material: Material) -> PovrayDispersion | None:
         """POV-Ray's dispersion of a material; None where it has one index, or where runs are slices."""
         if self.is_sliced or len(self.bands) < 2 or not material.is_dispersive:

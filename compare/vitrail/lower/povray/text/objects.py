@@ -8,7 +8,7 @@ from vitrail.base.colour import Triplet
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.geometry.solid import Solid
 from vitrail.geometry.world import World
-from vitrail.lower.povray.bodies.immersion import index_around, partly_around, seen_from_outside
+from vitrail.lower.povray.bodies.immersion import glass_around, glass_at_camera, partly_around
 from vitrail.lower.povray.bodies.nesting import Cut, Nesting
 from vitrail.lower.povray.bodies.normalise import Normalisation
 from vitrail.lower.povray.text.exposure import Exposure
@@ -20,7 +20,7 @@ from vitrail.lower.povray.text.surface import Surface, specular_pool
 from vitrail.lower.povray.translation import Translation
 from vitrail.optics.dispersion import reference_ior
 from vitrail.scene.absorption import absorption_per_m
-from vitrail.scene.model import Ambient, Material, Object, Scene
+from vitrail.scene.model import Ambient, Material, Scene
 
 CLEAR = block("texture", block("pigment", statement(rgb((1, 1, 1)), "filter", 1)))
 """A face that does nothing at equal index."""
@@ -107,18 +107,17 @@ class ObjectText:
     def _textures(self, index: int, placed: Solid, exposure: Exposure) -> Layers:
         """The look of an object from outside, and where it differs from inside: rough, scattering and nested glass."""
         item = self.scene.objects[index]
-        material, ior = self.scene.material_of(item), self._index_of(item)
-        around = seen_from_outside(self.world, index_around(self.world, index))
+        material, ior = self.scene.material_of(item), reference_ior(self.scene.material_of(item))
+        around = self._seen_in(glass_around(self.world, index), exposure)
         bumps = [bumps_of(material, ior, from_inside=side) if material.is_specular else None for side in (False, True)]
         outer = self._layers(material, placed, exposure, bumps[0], around)
         if not material.is_transmissive:
             for glass in self._glass_on(index):
                 # Where glass lies on this face, or around it, its radiance is seen from inside the glass.
-                within = seen_from_outside(self.world, self._index_of(self.scene.objects[glass]))
-                covered = self._layers(material, placed, exposure, bumps[0], within)
+                covered = self._layers(material, placed, exposure, bumps[0], self._seen_in(glass, exposure))
                 outer = (_by_place(self._without(glass, index), outer, covered),)
             return outer
-        inner = self._layers(material, placed, exposure, bumps[1], seen_from_outside(self.world, ior))
+        inner = self._layers(material, placed, exposure, bumps[1], self._seen_in(index, exposure))
         for host in self.nesting.hosts[index]:
             # Where the lower solid lies outside, light has left this one already when it meets this face.
             is_contact = any(cut.by == index and cut.is_contact for cut in self.nesting.cuts[host])
@@ -133,8 +132,13 @@ class ObjectText:
             self._partly[index] = partly_around(self.world, index)
         return (*lying, *(glass for glass in self._partly[index] if glass not in lying))
 
-    def _index_of(self, item: Object) -> float:
-        return reference_ior(self.scene.material_of(item))
+    def _seen_in(self, glass: int | None, exposure: Exposure) -> float:
+        """What the camera sees of a radiance that is sent out inside a glass, at the indices of the run."""
+        at_camera, there = self._index_in(glass_at_camera(self.world), exposure), self._index_in(glass, exposure)
+        return (at_camera / there) ** 2
+
+    def _index_in(self, glass: int | None, exposure: Exposure) -> float:
+        return 1.0 if glass is None else self.translation.indices.shown(self.world.material(glass), exposure)
 
     @property
     def _has_ambient(self) -> bool:

@@ -12,6 +12,7 @@ from typing import assert_never
 from vitrail.base.vector import Vec, add, dot, scale, unit
 from vitrail.geometry.frame import Frame
 from vitrail.geometry.placement import solid_of
+from vitrail.geometry.shapes.lathe import PlacedLathe
 from vitrail.geometry.shapes.lens import sagitta
 from vitrail.geometry.shapes.mesh import PlacedMesh
 from vitrail.geometry.solid import Solid
@@ -31,6 +32,9 @@ from vitrail.lower.povray.text.sdl import (
     vector,
 )
 from vitrail.scene.model import Box, Cone, Cylinder, Disc, Lathe, Lens, Mesh, Plane, Prism, Rectangle, Sphere, Torus
+
+SWEEP_BEYOND_ENDS = 1 + 1 / 64
+"""A prism's sweep over its height: so little that photons are aimed at next to nothing beside it."""
 
 
 @dataclass(frozen=True)
@@ -76,7 +80,8 @@ def primitive(placed: Solid, normalisation: Normalisation) -> Primitive:
         case Torus():
             return _torus(shape, units)
         case Lathe():
-            return _lathe(shape, placed.frame, units)
+            assert isinstance(placed, PlacedLathe)
+            return _lathe(placed, units)
         case Mesh():
             assert isinstance(placed, PlacedMesh)
             return Primitive("mesh2", mesh_parts(placed, units))
@@ -97,13 +102,19 @@ def aperture(shape: Rectangle | Disc, units: Normalisation) -> Block:
 
 
 def _prism(shape: Prism, frame: Frame, units: Normalisation) -> Primitive:
-    """POV-Ray sweeps a profile of (x, z) along y; ours lies in x, y and is swept along z."""
-    half = units.length(shape.height) / 2
-    corners = [vector((units.length(x), units.length(y))) for x, y in (*shape.corners, shape.corners[0])]
-    head = statement("linear_sweep", "linear_spline", listed(-half, half, len(corners), *corners))
+    """POV-Ray sweeps a profile of (x, z) along y; ours lies in x, y and is swept along z.
+
+    POV-Ray takes the normal of both ends of its prism to point along the sweep, so that light enters one of them from
+    what looks like its inside. The sweep is made longer, and the ends are those of a box.
+    """
+    half, corners = units.length(shape.height) / 2, [(units.length(x), units.length(y)) for x, y in shape.corners]
+    outline = [vector(corner) for corner in (*corners, corners[0])]
+    longer, wider = half * SWEEP_BEYOND_ENDS, 2 * max(max(map(abs, corner)) for corner in corners)
+    sweep = block("prism", statement("linear_sweep", "linear_spline", listed(-longer, longer, len(outline), *outline)))
+    ends = block("box", listed(vector((-wider, -half, -wider)), vector((wider, half, wider))))
     # Exchange y and z, then turn and move.
     x, y, z = _axes(frame)
-    return Primitive("prism", (head, matrix((x, z, y), units.point(frame.origin))))
+    return Primitive("intersection", (sweep, ends, matrix((x, z, y), units.point(frame.origin))))
 
 
 def _lens(shape: Lens, frame: Frame, units: Normalisation) -> Primitive:
@@ -134,14 +145,17 @@ def _torus(shape: Torus, units: Normalisation) -> Primitive:
     return Primitive("torus", (radii, statement("sturm"), matrix((u, axis, scale(v, -1)), units.point(shape.center))))
 
 
-def _lathe(shape: Lathe, frame: Frame, units: Normalisation) -> Primitive:
-    """The corners, and the first one again unless both ends lie on the axis, where no piece is missing."""
-    corners = list(shape.profile)
+def _lathe(placed: PlacedLathe, units: Normalisation) -> Primitive:
+    """The corners, and the first one again unless both ends lie on the axis, where no piece is missing.
+
+    They go counter-clockwise: POV-Ray takes the side to their right for the outside.
+    """
+    corners = list(placed.corners)
     if corners[0][0] > 0 or corners[-1][0] > 0:
         corners.append(corners[0])
     points = [vector((units.length(radius), units.length(height))) for radius, height in corners]
     head = statement("linear_spline", listed(len(points), *points))
-    return Primitive("lathe", present((head, _frame(frame, units))))
+    return Primitive("lathe", present((head, _frame(placed.frame, units))))
 
 
 def _axes(frame: Frame) -> tuple[Vec, Vec, Vec]:
