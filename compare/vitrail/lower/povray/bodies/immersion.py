@@ -11,6 +11,7 @@ import math
 
 import numpy as np
 
+from vitrail.base.vector import add, length, scale, subtract
 from vitrail.geometry.shapes.flat import PlacedDisc, PlacedRectangle
 from vitrail.geometry.surface import tangents
 from vitrail.geometry.touch import TOUCH
@@ -22,8 +23,11 @@ GRID = 33
 
 
 def glass_at_camera(world: World) -> int | None:
-    """The glass that the camera stands in."""
-    return world.medium_around([world.scene.camera.position], None)
+    """The glass that the camera looks through first: one that stands on a face looks away from the glass behind it."""
+    camera = world.scene.camera
+    sight = subtract(camera.look_at, camera.position)
+    ahead = TOUCH * max(1.0, length(camera.position) / length(sight))
+    return world.medium_around([add(camera.position, scale(sight, ahead))], None)
 
 
 def glass_around(world: World, index: int) -> int | None:

@@ -35,13 +35,16 @@ def room_of(solid: Solid) -> Bounds:
 
 
 def mesh_parts(placed: PlacedMesh, units: Normalisation) -> tuple[Part, ...]:
-    """The parts of a ``mesh2``: vertices, normals, faces, and a direction that makes it a solid."""
+    """The parts of a ``mesh2``: vertices, normals, faces, and a direction that makes it a solid.
+
+    POV-Ray's world is left-handed: it sees the outside of a triangle where its corners go clockwise.
+    """
     mesh = placed.known.triangles
     points = _table("vertex_vectors", (mesh.vertices - np.array(units.centre)) * units.scale)
     normals = () if mesh.normals is None else (_table("normal_vectors", mesh.normals),)
     # Any direction will do that no edge is along.
     inside = statement("inside_vector", vector((0.618, 0.755, 0.213)))
-    return (points, *normals, _table("face_indices", mesh.faces), inside)
+    return (points, *normals, _table("face_indices", mesh.faces[:, ::-1]), inside)
 
 
 def _table(word: str, rows: np.ndarray) -> Table:
