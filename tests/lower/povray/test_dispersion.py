@@ -148,3 +148,31 @@ def test_white_light_stays_white_where_nothing_is_spread() -> None:
     )
     assert len(seen.lowered.mode.bands) > 1
     assert seen.image.radiance[16, 16] == pytest.approx(1, rel=HALF_FLOAT)
+
+
+def test_a_ball_of_many_bands_is_invisible_in_a_white_furnace() -> None:
+    """Sixteen wide bands stand for forty. By POV-Ray's own dispersion red light never leaves the rim."""
+    seen = rendered(
+        scene(
+            "glass: {transmission: 1, ior: 1.65, dispersion: {abbe: 25}, fresnel: true}",
+            "- {name: ball, sphere: {center: [0, 0, 0], radius: 0.5}, material: glass}",
+            lights="- {name: sky, environment: {radiance: 1}}",
+            image="image: {width: 20, height: 20}",
+            more="transport: {bands: {spectral: 40}, max_reflections: 50, max_transmissions: 100}",
+        )
+    )
+    assert seen.lowered.mode.name == "slices" and len(seen.lowered.mode.bands) == 16
+    assert seen.image.radiance == pytest.approx(1, rel=1e-3)
+
+
+def test_wide_bands_keep_their_distance_from_the_bands_they_stand_for() -> None:
+    """Of 32 bands of 10.9 nm in 16: each is 5.5 nm from the middle of its wide one, most of the index in violet."""
+    many = scene(
+        "glass: {transmission: 1, ior: 1.6, dispersion: 0.0875}",
+        "- {name: ball, sphere: {center: [0, 0, 0], radius: 0.5}, material: glass}",
+        more="transport: {bands: {spectral: 32}}",
+    )
+    made = lowered(many)
+    # The index rises by 0.0875 for every 87.5 nm, so by 1e-3 for each nanometre.
+    entry = next(each for each in made.certificate.entries if each.unit == "index")
+    assert entry.residual == pytest.approx(350 / 64 * 1e-3, rel=1e-9)

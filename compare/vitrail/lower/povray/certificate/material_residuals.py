@@ -11,9 +11,9 @@ from vitrail.lower.povray.text.exposure import Exposure
 from vitrail.lower.povray.text.indices import Indices
 from vitrail.lower.povray.text.modes import Mode
 from vitrail.lower.povray.text.surface import is_grey, specular_pool
-from vitrail.optics.bands import Band, povray_hues
-from vitrail.optics.dispersion import reference_ior
-from vitrail.scene.model import Ggx, Material, Scene
+from vitrail.optics.bands import Band, band_model, povray_hues
+from vitrail.optics.dispersion import ior_by_band, reference_ior
+from vitrail.scene.model import Ggx, Material, Paper, Scene
 
 EQUATION_8_WIDTH = 0.06
 """Largest deviation of the blur behind a pane from equation 8, measured for lambda up to 0.3 against a random walk.
@@ -99,16 +99,16 @@ def _coloured_pool(item: Named, material: Material, pool: Triplet) -> Iterator[E
 
 
 def _dispersion(item: Named, material: Material, mode: Mode, indices: Indices) -> Iterator[Entry]:
-    """Slices have no error; the native law has that of its fit, and its own colours."""
+    """Slices have no error where each band has one; the native law has that of its fit, and its own colours."""
     if not material.is_dispersive or not material.is_transmissive:
         return
-    law = indices.native_law(material)
+    law, all_bands = indices.native_law(material), band_model(indices.scene.transport.bands).bands
     yield Entry(
         Phenomenon.DISPERSION,
         item,
-        f"n in {len(mode.bands)} bands",
-        "one run a band" if law is None else "n = ior D^((555 - nm) / 350)",
-        0.0 if law is None else law.largest_residual,
+        f"n in {len(all_bands)} bands",
+        f"one run for each of {len(mode.bands)} bands" if law is None else "n = ior D^((555 - nm) / 350)",
+        _widened(material, all_bands, mode.bands, indices.scene.paper) if law is None else law.largest_residual,
         "index",
         mode.reason if law is None else "POV-Ray's law has two numbers; least squares over the bands",
     )
@@ -122,6 +122,15 @@ def _dispersion(item: Named, material: Material, mode: Mode, indices: Indices) -
             RELATIVE,
             "what bands of other colours take of a channel or leave; POV-Ray's own white is (.9938, 1, .9962)",
         )
+
+
+def _widened(material: Material, bands: Sequence[Band], wide: Sequence[Band], paper: Paper) -> float:
+    """How far the index of a band is at most from that of the wider band which stands for it."""
+    if len(bands) == len(wide):
+        return 0.0
+    own, standing = ior_by_band(material, bands, paper), ior_by_band(material, wide, paper)
+    # Both models divide one range of wavelengths evenly.
+    return max(abs(index - standing[k * len(wide) // len(bands)]) for k, index in enumerate(own))
 
 
 def _other_hues(bands: Sequence[Band]) -> float:

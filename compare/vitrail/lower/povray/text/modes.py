@@ -8,7 +8,7 @@ from vitrail.base.colour import Triplet
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.lower.povray.text.exposure import Exposure
 from vitrail.lower.povray.text.sky import Skies, Sky
-from vitrail.optics.bands import ALL_LIGHT, Band, band_model
+from vitrail.optics.bands import ALL_LIGHT, Band, band_model, spectral
 from vitrail.plan.plan import Plan
 from vitrail.plan.settings import Settings
 from vitrail.scene.colours import colours_of
@@ -18,7 +18,7 @@ ALL = (Exposure(),)
 SAME_CHANNELS = 1e-12
 """Channels closer than this, relative, have the same photons."""
 MOST_SLICES = 16
-"""Bands up to which ``auto`` renders one run a band; above, POV-Ray's own dispersion stands in."""
+"""Bands up to which there is one run a band; of more, so many wider ones stand for all."""
 
 
 @dataclass(frozen=True)
@@ -46,19 +46,21 @@ class Mode:
 def mode_of(scene: Scene, plan: Plan, settings: Settings, skies: Skies) -> Mode:
     """The asked mode; ``auto`` takes channels wherever one photon colour or one pool s cannot serve all three.
 
-    With dispersion ``auto`` and ``channels`` mean one run a band, unless there are very many.
+    With dispersion ``auto`` and ``channels`` mean one run a band. POV-Ray's own dispersion is no substitute where there
+    are very many: it keeps red light for ever inside a ball where Fresnel at its one index mirrors all of it, and its
+    colours are others.
     """
     bands = band_model(scene.transport.bands).bands if plan.requires(Phenomenon.DISPERSION) else (ALL_LIGHT,)
     if settings.reference_mode == "native":
         return Mode("native", ALL, bands, "asked for")
     exposures, reason = _by_channel(scene, plan, settings, skies)
-    is_sliced = len(bands) > 1 and (settings.reference_mode == "slices" or len(bands) <= MOST_SLICES)
-    if is_sliced:
+    if len(bands) == 1:
+        return Mode("native" if exposures == ALL else "channels", exposures, bands, reason)
+    if len(bands) <= MOST_SLICES or settings.reference_mode == "slices":
         return Mode("slices", _sliced(exposures, bands), bands, f"one run a band has no error of the index; {reason}")
-    name = "native" if exposures == ALL else "channels"
-    if len(bands) > 1:
-        reason += f"; {len(bands)} bands are too many for a run each"
-    return Mode(name, exposures, bands, reason)
+    wide = spectral(MOST_SLICES).bands
+    why = f"{len(bands)} bands are too many for a run each, so that {len(wide)} stand for them; {reason}"
+    return Mode("slices", _sliced(exposures, wide), wide, why)
 
 
 def _by_channel(scene: Scene, plan: Plan, settings: Settings, skies: Skies) -> tuple[tuple[Exposure, ...], str]:
