@@ -2,20 +2,31 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import asdict
 from typing import assert_never
 
+import numpy as np
 from pydantic import Field
 
 from vitrail.base.record import Record
 from vitrail.images.patch import PatchSamples
-from vitrail.metrics.noise_causes import noise_causes
+from vitrail.metrics.noise_causes import NoiseCauses, noise_causes
 from vitrail.scene.model import Area, Directional, Emitter, Environment, Point, Scene, Spot
+
+PHOTON_LAYER = "caustic"
+"""The layer whose light photons brought."""
+
+DIRECT_LAYER = "diffusion"
+"""The layer of light that no glass and no mirror turned between the lamp and the eye."""
 
 
 class NoiseRecord(Record):
-    """Mean variance of a cell of the patch by cause, (W sr^-1 m^-2)^2, in one side's picture."""
+    """Mean variance of a cell of the patch by cause, (W sr^-1 m^-2)^2, in one side's picture.
+
+    That of photons is already as many times larger as cells share one gather disc.
+    """
 
     side: str
     photons: float = Field(ge=0)
@@ -23,21 +34,37 @@ class NoiseRecord(Record):
     rays: float = Field(ge=0)
 
 
-def noise_records(samples: Mapping[str, PatchSamples], scene: Scene) -> tuple[NoiseRecord, ...]:
+def noise_records(
+    samples: Mapping[str, PatchSamples], scene: Scene, gather_radius_m: float = 0.0
+) -> tuple[NoiseRecord, ...]:
     """The causes of each side's noise; the layers that tell them apart are those of the side that has some."""
-    draws_rays = _draws_rays(scene)
     layers = next((each.layers for each in samples.values() if each.layers), {})
     return tuple(
-        NoiseRecord(side=side, **asdict(noise_causes(each.noise, each.values, layers, draws_rays=draws_rays)))
+        NoiseRecord(side=side, **asdict(_causes(each, each.noise, layers, scene, gather_radius_m)))
         for side, each in samples.items()
         if each.noise is not None
     )
 
 
-def _draws_rays(scene: Scene) -> bool:
-    """Whether anything is seen by rays drawn at random: rough faces, lamps with a size, skies, final gathering."""
-    rough = any(material.roughness != 0.0 for material in scene.materials.values())
-    return rough or scene.transport.indirect == "photons" or any(_has_size(light.emitter) for light in scene.lights)
+def _causes(
+    samples: PatchSamples, noise: np.ndarray, layers: Mapping[str, np.ndarray], scene: Scene, gather_radius_m: float
+) -> NoiseCauses:
+    light = samples.values
+    nothing = np.zeros_like(light)
+    photons, direct = (layers.get(name, nothing) for name in (PHOTON_LAYER, DIRECT_LAYER))
+    rest = np.maximum(light - photons, 0.0)
+    # A lamp with a size, a sky or final gathering draws rays everywhere, rough glass where it is looked at.
+    drawn = rest if _draws_everywhere(scene) else np.maximum(rest - direct, 0.0) if _has_roughness(scene) else nothing
+    disc_cells = math.pi * gather_radius_m**2 / samples.cell_area_m2
+    return noise_causes(noise, light, photons, drawn, disc_cells=disc_cells)
+
+
+def _has_roughness(scene: Scene) -> bool:
+    return any(material.roughness != 0.0 for material in scene.materials.values())
+
+
+def _draws_everywhere(scene: Scene) -> bool:
+    return scene.transport.indirect == "photons" or any(_has_size(light.emitter) for light in scene.lights)
 
 
 def _has_size(emitter: Emitter) -> bool:

@@ -125,7 +125,7 @@ def _observe(
         profiles=profiles_of(observation, samples, truth.profiles.get(observation.name)),
         unmeasured=tuple(dict.fromkeys(unmeasured)),
         view=shown.record,
-        noise=noise_records(samples, scene),
+        noise=noise_records(samples, scene, correlation_m),
     )
 
 
