@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from vitrail.engines.base import Rendering
-from vitrail.engines.cache import Cache, content_key, named_files
+from vitrail.engines.cache import Cache, content_key
 
 
 def painter(calls: list[str], *, interrupted: bool = False):
@@ -63,26 +63,13 @@ def test_many_at_once_agree_on_one_entry(tmp_path: Path) -> None:
     assert not list(tmp_path.glob(".work-*"))
 
 
-def test_the_key_depends_on_every_part(tmp_path: Path) -> None:
-    mesh = tmp_path / "mesh.ply"
-    mesh.write_text("one")
+def test_the_key_depends_on_every_part() -> None:
     keys = [
         content_key("tracer", "1", ["scene"]),
         content_key("povray", "1", ["scene"]),
         content_key("tracer", "2", ["scene"]),
         content_key("tracer", "1", ["scene", ""]),
         content_key("tracer", "1", ["sce", "ne"]),
-        content_key("tracer", "1", ["scene"], [mesh]),
     ]
-    mesh.write_text("two")
-    keys.append(content_key("tracer", "1", ["scene"], [mesh]))
     assert len(set(keys)) == len(keys)
     assert content_key("tracer", "1", ["scene"]) == keys[0]
-
-
-def test_the_files_of_a_lowered_scene_are_found_wherever_they_are() -> None:
-    lowered = {
-        "objects": [{"shape": {"kind": "mesh", "file": "a.ply"}}],
-        "lights": [{"file": "sky.exr"}, {"kind": "point"}],
-    }
-    assert named_files(lowered) == [Path("a.ply"), Path("sky.exr")]

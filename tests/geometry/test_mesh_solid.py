@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from vitrail.geometry.frame import Frame
-from vitrail.geometry.mesh_file import read_triangles
+from vitrail.geometry.mesh_file import placed, read_mesh
 from vitrail.geometry.mesh_solid import HAIR, MeshSolid, fault_of_solid
 from vitrail.scene.model import Mesh
 
@@ -19,7 +19,7 @@ TURN = ((0.36, 0.48, -0.8), (-0.8, 0.6, 0.0), (0.48, 0.64, 0.6))
 
 def cube(frame: Frame = Frame(), name: str = "cube.obj") -> MeshSolid:  # noqa: B008  (frozen)
     """Half edge 1 around the origin of a frame."""
-    return MeshSolid(read_triangles(FOLDER / name, Mesh(file=name, smooth=False), frame))
+    return MeshSolid(placed(read_mesh(FOLDER / name), Mesh(file=name, smooth=False), frame))
 
 
 def points() -> np.ndarray:

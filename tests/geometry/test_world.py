@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-import vitrail.geometry.shapes.mesh as mesh_module
+import vitrail.geometry.mesh_file as mesh_file
 from vitrail.base.changed import changed
 from vitrail.geometry import world as world_module
 from vitrail.geometry.shapes.mesh import PlacedMesh
@@ -88,8 +88,8 @@ def test_a_grown_mesh_is_another_solid_read_from_the_same_file_once(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     (tmp_path / "body.obj").write_text(TETRAHEDRON)
-    read, real = [], mesh_module.read_triangles
-    monkeypatch.setattr(mesh_module, "read_triangles", lambda *given: read.append(given) or real(*given))
+    read, real = [], mesh_file.read_bytes
+    monkeypatch.setattr(mesh_file, "read_bytes", lambda *given: read.append(given) or real(*given))
     world = world_of("  - {name: body, mesh: {file: body.obj}, material: glass}\n", tmp_path)
     solid = world.solids[0]
     assert isinstance(solid, PlacedMesh) and not read

@@ -2,25 +2,33 @@
 
 from __future__ import annotations
 
+import base64
 import json
 import math
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from vitrail.base.canonical_json import canonical_json
 from vitrail.check.check import check_file
 from vitrail.geometry.world import World
+from vitrail.images.exr import write_image
 from vitrail.lower.tracer import lower_tracer
 from vitrail.optics.glass import glass_named
 from vitrail.plan.analyse import analyse, everything
 from vitrail.plan.budget import settings_for
 from vitrail.plan.views import ObservationView
+from vitrail.scene.load import load_text
 from vitrail.scene.model import Image
 from vitrail.scene.print import scene_hash
 
 GOLDEN = Path(__file__).parents[1] / "golden"
 NAMES = ("plain", "prism", "every_part")
+
+
+def unpack(text: str, type_: str) -> np.ndarray:
+    return np.frombuffer(base64.b64decode(text), "<" + type_)
 
 
 def lowered(name: str, *, all_on: bool = False, **options: object) -> dict:
@@ -130,21 +138,24 @@ def test_a_plan_takes_out_what_it_does_not_need_and_everything_does_not() -> Non
     assert full["plan"]["reflection"]
 
 
-def test_without_files_beside_the_scene_names_stay_and_with_them_they_become_whole(tmp_path: Path) -> None:
+def test_meshes_and_skies_are_in_the_input_to_the_last_digit(tmp_path: Path) -> None:
     text = (
         (GOLDEN / "plain.yaml")
         .read_text(encoding="utf-8")
-        .replace("sphere: {center: [0, 2, 0], radius: 1}", "mesh: {file: ball.ply}")
+        .replace("sphere: {center: [0, 2, 0], radius: 1}", "mesh: {file: ball.obj, smooth: false}")
+        .replace("lights:", "lights:\n  - {name: sky, environment: {file: sky.exr}}")
     )
-    from vitrail.scene.load import load_text
-
-    scene = load_text(text).scene
-    world = World.of_scene(scene)
+    (tmp_path / "ball.obj").write_text("v 0 0 0\nv 0.333333333333333315 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 4 3\n")
+    write_image(tmp_path / "sky.exr", np.arange(24, dtype=float).reshape(2, 4, 3) / 3)
+    world = World.of_scene(load_text(text).scene, tmp_path)
     plan = analyse(world)
-    settings = settings_for(world, plan)
-    assert lower_tracer(world, plan, settings)["objects"][1]["shape"]["file"] == "ball.ply"
-    beside = lower_tracer(World.of_scene(scene, tmp_path), plan, settings)["objects"][1]["shape"]["file"]
-    assert beside == str(tmp_path.resolve() / "ball.ply")
+    made = lower_tracer(world, plan, settings_for(world, plan))
+    mesh, sky = made["objects"][1]["shape"], made["lights"][0]["image"]
+    assert unpack(mesh["vertices"], "f8")[3] == 1 / 3 and "normals" not in mesh
+    assert unpack(mesh["triangles"], "u4").tolist() == [0, 1, 3, 0, 3, 2]
+    assert (sky["width"], sky["height"]) == (4, 2)
+    assert np.array_equal(unpack(sky["radiance"], "f4"), np.arange(24, dtype=np.float32) / np.float32(3))
+    assert str(tmp_path) not in canonical_json(made)
 
 
 def test_the_hash_is_that_of_the_whole_scene_whatever_the_plan() -> None:

@@ -1,22 +1,13 @@
 #pragma once
-/// Small meshes for the tests, as text and as files.
-
-#include <unistd.h>
+/// Small meshes for the tests, as text.
 
 #include <cstdio>
-#include <fstream>
+#include <sstream>
 #include <string>
 
 #include "build_scene.h"
-#include "gtest/gtest.h"
 
 namespace vitrail {
-
-inline std::string write_file(const std::string& name, const std::string& content) {
-  const std::string path = testing::TempDir() + "vitrail_" + std::to_string(getpid()) + "_" + name;
-  std::ofstream(path, std::ios::binary) << content;
-  return path;
-}
 
 /// A cube of half edge 1 with two triangles a side.
 inline const char* const kCube =
@@ -49,8 +40,24 @@ inline std::string ball_text(int steps) {
   return text;
 }
 
-inline MeshShape mesh_of(const std::string& path, bool smooth = false, const Frame& frame = {}) {
-  return {path, smooth, frame};
+/// The triangles of an OBJ text that has vertices and convex faces alone.
+inline MeshData data_of(const std::string& text) {
+  MeshData data;
+  std::istringstream lines(text);
+  for (std::string line, kind; std::getline(lines, line);) {
+    std::istringstream words(line);
+    words >> kind;
+    Vec3 v;
+    if (kind == "v" && words >> v.x >> v.y >> v.z) data.vertices.push_back(v);
+    std::vector<std::uint32_t> corners;
+    for (std::uint32_t corner = 0; kind == "f" && words >> corner;) corners.push_back(corner - 1);
+    for (std::size_t i = 2; i < corners.size(); ++i) data.triangles.push_back({corners[0], corners[i - 1], corners[i]});
+  }
+  return data;
+}
+
+inline MeshShape mesh_of(const std::string& text, bool smooth = false, const Frame& frame = {}) {
+  return {std::make_shared<const MeshData>(data_of(text)), smooth, frame};
 }
 
 inline Scene scene_of(const MeshShape& shape) {

@@ -7,7 +7,6 @@
 #include "build_mesh.h"
 #include "geometry/accel.h"
 #include "geometry/mesh.h"
-#include "geometry/mesh_file.h"
 
 namespace vitrail {
 namespace {
@@ -28,8 +27,8 @@ void expect_no_leak(const Intersector& intersector, Ray ray, int& hits) {
 }
 
 TEST(Mesh, DoesNotLeakAtEdgesAndCorners) {
-  const std::string ball = write_file("leak.obj", ball_text(12));
-  const MeshData data = read_mesh_file(ball);
+  const std::string ball = ball_text(12);
+  const MeshData data = data_of(ball);
   for (const Frame& frame : {Frame{}, turned({100, -20, 3})}) {
     const Scene scene = scene_of(mesh_of(ball, false, frame));
     const Intersector intersector(scene);
@@ -49,7 +48,7 @@ TEST(Mesh, DoesNotLeakAtEdgesAndCorners) {
 
 TEST(Mesh, DoesNotLeakAlongItsFaces) {
   // Rays in the planes and along the edges of a cube, the worst that a triangle can be asked.
-  const Scene scene = scene_of(mesh_of(write_file("cube.obj", kCube)));
+  const Scene scene = scene_of(mesh_of(kCube));
   const Intersector intersector(scene);
   int hits = 0;
   for (double x : {-1.0, 0.0, 1.0})
@@ -80,7 +79,7 @@ std::string two_cubes() {
 
 TEST(Mesh, IsLeftOnItsEdgeBeforeAnotherPartIsEntered) {
   // Inside by departure, on an edge, going outwards: there may be no triangle left to meet on the way out.
-  const Scene scene = scene_of(mesh_of(write_file("two.obj", two_cubes())));
+  const Scene scene = scene_of(mesh_of(two_cubes()));
   for (Search search : {Search::list, Search::embree}) {
     const Intersector intersector(scene, search);
     Hit side;
@@ -106,14 +105,14 @@ TEST(Mesh, IsLeftOnItsEdgeBeforeAnotherPartIsEntered) {
 
 TEST(Mesh, IsNotEnteredWhereARayStandsOutside) {
   // On the upper side, a hair too low by rounding, going along it: the side face it seems to meet is not entered.
-  const Mesh cube(mesh_of(write_file("hair.obj", kCube)));
+  const Mesh cube(mesh_of(kCube));
   const Departure outside{0, 8, false};
   ShapeHit hit;
   EXPECT_TRUE(!cube.intersect({{1, 1 - 1e-16, 0.1}, {-1, 0, 0}}, &outside, hit) || hit.t > 1);
 }
 
 TEST(Mesh, IsTheSameByListAndByTree) {
-  const Scene scene = scene_of(mesh_of(write_file("same.obj", ball_text(10)), true, turned()));
+  const Scene scene = scene_of(mesh_of(ball_text(10), true, turned()));
   const Intersector list(scene, Search::list), tree(scene, Search::embree);
   TestNumbers numbers;
   for (int i = 0; i < 5000; ++i) {
@@ -136,7 +135,7 @@ TEST(Mesh, IsTheSameByListAndByTree) {
 }
 
 TEST(Mesh, HasNormalsOfABallWhereSmooth) {
-  const Mesh ball(mesh_of(write_file("smooth.obj", ball_text(32)), true));
+  const Mesh ball(mesh_of(ball_text(32), true));
   TestNumbers numbers;
   for (int i = 0; i < 500; ++i) {
     const Vec3 d = numbers.direction();
@@ -150,7 +149,7 @@ TEST(Mesh, HasNormalsOfABallWhereSmooth) {
 }
 
 TEST(Mesh, KnowsWhatItContains) {
-  const Mesh ball(mesh_of(write_file("contains.obj", ball_text(16))));
+  const Mesh ball(mesh_of(ball_text(16)));
   TestNumbers numbers;
   for (int i = 0; i < 3000; ++i) {
     const Vec3 p = numbers.in_cube(1.5);

@@ -115,11 +115,11 @@ TEST(Slab, InTwoTouchingPiecesIsOneSlab) {
 }
 
 /// The slab as twelve triangles.
-MeshShape mesh_slab(const char* name, double low, double high) {
+MeshShape mesh_slab(double low, double high) {
   const std::string a = std::to_string(low), b = std::to_string(high);
-  return mesh_of(write_file(name, "v -9 " + a + " 9\nv 9 " + a + " 9\nv 9 " + a + " -9\nv -9 " + a + " -9\nv -9 " + b +
-                                      " 9\nv 9 " + b + " 9\nv 9 " + b + " -9\nv -9 " + b + " -9\n" +
-                                      "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n"));
+  return mesh_of("v -9 " + a + " 9\nv 9 " + a + " 9\nv 9 " + a + " -9\nv -9 " + a + " -9\nv -9 " + b + " 9\nv 9 " + b +
+                 " 9\nv 9 " + b + " -9\nv -9 " + b + " -9\n" +
+                 "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
 }
 
 TEST(Slab, InTwoMeshesThatTouchIsOneSlab) {
@@ -127,8 +127,8 @@ TEST(Slab, InTwoMeshesThatTouchIsOneSlab) {
     SceneBuilder whole, halves;
     whole.add("slab", slab_between(-0.5, 0), whole.add(glass(1.5, {0.5, 0.5, 0.5}, true)));
     const std::uint32_t clear = halves.add(glass(1.5, {0.5, 0.5, 0.5}, true));
-    halves.add("lower", mesh_slab("lower.obj", -0.5, -0.2), clear);
-    halves.add("upper", mesh_slab("upper.obj", -0.2, 0), clear);
+    halves.add("lower", mesh_slab(-0.5, -0.2), clear);
+    halves.add("upper", mesh_slab(-0.2, 0), clear);
     const auto one = follow_in(whole.scene, falling(angle, {0.1, 0, 0.2}));
     const auto two = follow_in(halves.scene, falling(angle, {0.1, 0, 0.2}));
     ASSERT_EQ(events(two), "enter exit escape");

@@ -1,6 +1,9 @@
 /// What is written: the image's channels and header, the run record, progress lines. That the pixels read back right is
 /// tested from Python with another EXR library.
 
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfInputFile.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -25,6 +28,18 @@ std::string text_of(const std::string& path) {
 }
 
 std::string temporary(const std::string& name) { return ::testing::TempDir() + "vitrail_" + name; }
+
+/// The red of every pixel of a picture two pixels wide.
+std::vector<float> reds_of(const std::string& path, std::size_t pixels) {
+  std::vector<float> red(pixels);
+  Imf::InputFile file(path.c_str());
+  const Imath::Box2i window = file.header().dataWindow();
+  Imf::FrameBuffer buffer;
+  buffer.insert("R", Imf::Slice::Make(Imf::FLOAT, red.data(), window));
+  file.setFrameBuffer(buffer);
+  file.readPixels(window.min.y, window.max.y);
+  return red;
+}
 
 TEST(Exr, HoldsPlannedLayersAndMetadata) {
   Film film(3, 2);
@@ -57,40 +72,14 @@ TEST(Exr, HoldsEveryRowForAnyNumberOfThreads) {
   write_exr(one, film, Plan{}, {});
   write_exr(many, film, Plan{}, {}, 3);
   EXPECT_EQ(text_of(one), text_of(many));
-  const auto sky = read_sky(many);
-  for (int y = 0; y < kRows; ++y) {
-    const double from_above = M_PI * (y + 0.5) / kRows;
-    EXPECT_EQ(sky->towards({std::sin(from_above), std::cos(from_above), 0}), film.radiance(0, y)) << y;
-  }
+  const std::vector<float> red = reds_of(many, 2 * kRows);
+  for (int y = 0; y < kRows; ++y) EXPECT_EQ(red[2 * static_cast<std::size_t>(y)], film.radiance(0, y).r) << y;
   std::filesystem::remove(one);
   std::filesystem::remove(many);
 }
 
 TEST(Exr, ThatCannotBeWrittenIsAnOutputError) {
   EXPECT_THROW(write_exr("/nonexistent/folder/x.exr", Film(1, 1), Plan{}, {}), OutputError);
-}
-
-/// A sky that is written and read again is the same sky.
-TEST(Exr, ReadsASky) {
-  Film film(4, 2);
-  for (int half = 0; half < 2; ++half) {
-    for (int x = 0; x < 4; ++x) film.add(half, x, 1, Layer::diffusion, {1.0 + x, 2, 3});
-  }
-  const std::string path = temporary("sky.exr");
-  write_exr(path, film, Plan{}, {});
-  const auto sky = read_sky(path);
-  EXPECT_EQ(sky->towards({0, 1, 0}), (Rgb{0, 0, 0}));
-  EXPECT_EQ(sky->towards({0.99, -0.1, -0.1}), (Rgb{1, 2, 3}));   // left edge: from -z over +x
-  EXPECT_EQ(sky->towards({-0.99, -0.1, -0.1}), (Rgb{4, 2, 3}));  // right edge
-  std::filesystem::remove(path);
-}
-
-TEST(Exr, RefusesWhatIsNoSky) {
-  EXPECT_THROW(read_sky("/nonexistent.exr"), InputError);
-  const std::string path = temporary("no_image.exr");
-  std::ofstream(path) << "not an image";
-  EXPECT_THROW(read_sky(path), InputError);
-  std::filesystem::remove(path);
 }
 
 TEST(RunRecord, SaysWhatWasUsedAndDone) {

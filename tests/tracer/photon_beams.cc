@@ -178,7 +178,7 @@ TEST(Beams, LandAllTheLightOfTwoBalls) {
 TEST(Beams, LeaveAFacetedMeshToPhotons) {
   constexpr int kSteps = 12;
   SceneBuilder builder;
-  const MeshShape mesh = mesh_of(write_file("facets.obj", ball_text(kSteps)));
+  const MeshShape mesh = mesh_of(ball_text(kSteps));
   builder.add("ball", mesh, builder.add(glass(1.5, {1, 1, 1}, true)));
   const PhotonMaps maps = beams_of(under_a_lamp(builder));
   ASSERT_EQ(maps.beams[0], nullptr);
@@ -195,7 +195,7 @@ TEST(Beams, LeaveAFacetedMeshToPhotons) {
 /// Few enough facets for the rays: one prism, all of whose light lands, through beams as well.
 TEST(Beams, LandAllTheLightOfAFlatMesh) {
   SceneBuilder builder;
-  const MeshShape mesh = mesh_of(write_file("cube.obj", kCube), false, turned_about_z(20));
+  const MeshShape mesh = mesh_of(kCube, false, turned_about_z(20));
   builder.add("cube", mesh, builder.add(glass(1.5, {1, 1, 1}, true)));
   const double across = 2 * (std::cos(radians(20)) + std::sin(radians(20)));
   expect_all_to_land(under_a_lamp(builder, 1.4), 2 * across);

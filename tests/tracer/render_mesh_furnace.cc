@@ -41,7 +41,7 @@ Seen seen_in_a_furnace(const std::string& mesh, bool smooth, bool fresnel) {
 /// many show no such way here.
 TEST(MeshFurnace, HidesABallOfGlassButForTheLightThatCoarseSmoothFacetsTrap) {
   for (const int steps : {6, 12, 48}) {
-    const std::string ball = write_file("furnace_ball.obj", ball_text(steps));
+    const std::string ball = ball_text(steps);
     for (const bool fresnel : {false, true}) {
       EXPECT_GE(seen_in_a_furnace(ball, false, fresnel).least, 1 - kNoise) << steps;
       const Seen smooth = seen_in_a_furnace(ball, true, fresnel);
@@ -85,13 +85,13 @@ std::string column_text() {
 }
 
 TEST(MeshFurnace, HidesGlassOfNeedlesAndDoubleVertices) {
-  const std::string column = write_file("column.obj", column_text());
+  const std::string column = column_text();
   for (const bool fresnel : {false, true}) EXPECT_GE(seen_in_a_furnace(column, false, fresnel).least, 1 - kNoise);
 }
 
 /// What goes in comes out, in turns: the column is convex, and so no ray meets more than two faces.
 TEST(MeshFurnace, IsLeftAsOftenAsItIsEntered) {
-  const Scene scene = scene_of(mesh_of(write_file("column_leaks.obj", column_text())));
+  const Scene scene = scene_of(mesh_of(column_text()));
   const Intersector intersector(scene);
   TestNumbers numbers;
   int entered = 0;
@@ -118,7 +118,7 @@ TEST(MeshFurnace, IsLeftAsOftenAsItIsEntered) {
 
 /// Two meshes that share a face are in contact: a ray that goes through it leaves one and enters the other at once.
 TEST(MeshFurnace, HasNoAirBetweenMeshesThatShareAFace) {
-  const std::string cube = write_file("flush.obj", kCube);
+  const std::string cube = kCube;
   for (const Frame& frame : {Frame{}, turned({3, -2, 0.1})}) {
     Scene scene = scene_of(mesh_of(cube, false, frame));
     Frame beside = frame;

@@ -38,7 +38,7 @@ std::string with_views(const std::vector<std::string>& names, const std::string&
 
 std::string fault_of(const std::string& text) {
   try {
-    parse_scene(text, ".");
+    parse_scene(text);
   } catch (const InputError& error) {
     return error.what();
   }
@@ -46,7 +46,7 @@ std::string fault_of(const std::string& text) {
 }
 
 TEST(ReadViews, BringsViewsThrough) {
-  const Scene scene = parse_scene(with_views({"spot", "a b-1.c"}), ".");
+  const Scene scene = parse_scene(with_views({"spot", "a b-1.c"}));
   ASSERT_EQ(scene.views.size(), 2u);
   EXPECT_EQ(scene.views[1].view, "a b-1.c");
   EXPECT_EQ(scene.views[1].image.width, 7);

@@ -29,14 +29,6 @@ void override_settings(const RenderOptions& options, Settings& settings) {
   settings.gather_radius_m = options.gather_radius_m.value_or(settings.gather_radius_m);
 }
 
-// Read the images of environments that name one.
-void read_skies(Scene& scene) {
-  for (Light& light : scene.lights) {
-    auto* environment = std::get_if<EnvironmentLight>(&light.emitter);
-    if (environment != nullptr && !environment->file.empty()) environment->image = read_sky(environment->file);
-  }
-}
-
 void write_picture(const std::string& path, const Scene& scene, const Picture& picture, const Film& film,
                    unsigned threads) {
   std::map<std::string, std::string> metadata = {{"vitrail:scene_hash", scene.scene_hash},
@@ -62,7 +54,6 @@ int run_render(const RenderOptions& options) {
   Scene scene = read_scene(options.scene);
   override_settings(options, scene.settings);
   if (options.views.empty()) scene.views.clear();
-  read_skies(scene);
   ProgressLines progress(options.progress ? stderr : nullptr);
   const unsigned threads = thread_count(options.threads);
   const Rendering rendering = render(scene, {threads, progress});

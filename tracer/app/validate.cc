@@ -12,7 +12,7 @@ void add_validate_command(CLI::App& app, int&) {
   CLI::App* command = app.add_subcommand("validate", "Check a lowered scene without rendering it");
   command->add_option("scene", *path, "lowered scene, JSON")->required();
   command->callback([path] {
-    // Building the intersector reads the mesh files, the last place where input can be wrong.
+    // Building the intersector asks what meshes enclose, the last place where input can be wrong.
     const Scene scene = read_scene(*path);
     const Intersector intersector(scene);
     std::printf("%s: %zu objects, %zu materials, %zu lights, %zu bands, %llu primitives\n", path->c_str(),

@@ -150,9 +150,8 @@ Intersector::Intersector(const Scene& scene, Search search) : state_(std::make_u
     state_->primitives.push_back(make_primitive(object.shape));
     const auto* mesh = std::get_if<Mesh>(&state_->primitives.back());
     if (mesh != nullptr && scene.materials[object.material].transmits() && !mesh->open_fault().empty())
-      throw InputError(
-          {{std::get<MeshShape>(object.shape).file, mesh->open_fault() + ", and `" + object.name + "` is of glass",
-            "close the mesh with outward triangles, or take an opaque material"}});
+      throw InputError({{object.name, mesh->open_fault() + ", and it is of glass",
+                         "close the mesh with outward triangles, or take an opaque material"}});
     state_->primitive_count += part_count(state_->primitives.back());
     const Bounds box = vitrail::bounds(state_->primitives.back());
     if (box.is_finite()) state_->bounds.add(box);

@@ -6,7 +6,6 @@
 #include "base/diagnostic.h"
 #include "base/exact.h"
 #include "geometry/mesh_closed.h"
-#include "geometry/mesh_file.h"
 
 namespace vitrail {
 
@@ -57,11 +56,10 @@ int side(double turn_of_edge, Vec3 a, Vec3 b) {
 }  // namespace
 
 Mesh::Mesh(const MeshShape& shape) {
-  MeshData data = read_mesh_file(shape.file);
+  MeshData data = *shape.data;
   open_fault_ = fault_of_closed_mesh(data);
   drop_degenerate(data);
-  if (data.triangles.empty())
-    throw InputError({{shape.file, "has no triangle with an area", "write a mesh with faces"}});
+  if (data.triangles.empty()) throw InputError({{"mesh", "has no triangle with an area", "write a mesh with faces"}});
   triangles_ = std::move(data.triangles);
   vertices_ = std::move(data.vertices);
   for (Vec3& vertex : vertices_) {

@@ -1,5 +1,5 @@
 #pragma once
-/// A solid or sheet of triangles, read from a PLY or OBJ file. Faces: the triangles.
+/// A solid or sheet of triangles, as the lowered scene holds them. Faces: the triangles.
 
 #include <array>
 #include <string>
@@ -13,7 +13,7 @@ namespace vitrail {
 
 class Mesh {
  public:
-  /// Read and place the file; throws InputError if it cannot be used.
+  /// Place the triangles; throws InputError if it cannot be used.
   explicit Mesh(const MeshShape& shape);
 
   /// Ask every triangle; for meshes of a few.

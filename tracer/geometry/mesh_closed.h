@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "geometry/mesh_file.h"
+#include "scene/mesh_data.h"
 
 namespace vitrail {
 

@@ -4,7 +4,6 @@
 #include <ImfCompression.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
-#include <ImfInputFile.h>
 #include <ImfOutputFile.h>
 #include <ImfStringAttribute.h>
 #include <ImfThreading.h>
@@ -110,43 +109,6 @@ void write_exr(const std::string& path, const Film& film, const Plan& plan,
     std::remove(unfinished.c_str());
     throw OutputError({path, "cannot be replaced", "choose a file that can be written"});
   }
-}
-
-std::shared_ptr<const SkyImage> read_sky(const std::string& path) {
-  const auto refuse = [&](const std::string& what) {
-    return InputError({{path, what, "give a lat-long EXR image with channels R, G and B"}});
-  };
-  std::vector<float> planes[3];
-  int width = 0, height = 0;
-  try {
-    Imf::InputFile file(path.c_str());
-    const Imath::Box2i window = file.header().dataWindow();
-    width = window.max.x - window.min.x + 1;
-    height = window.max.y - window.min.y + 1;
-    Imf::FrameBuffer buffer;
-    for (int c = 0; c < 3; ++c) {
-      const std::string name(1, "RGB"[c]);
-      if (file.header().channels().findChannel(name) == nullptr) throw refuse("has no channel " + name);
-      planes[c].resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-      buffer.insert(name, Imf::Slice::Make(Imf::FLOAT, planes[c].data(), window));
-    }
-    file.setFrameBuffer(buffer);
-    file.readPixels(window.min.y, window.max.y);
-  } catch (const InputError&) {
-    throw;
-  } catch (const std::exception& error) {
-    throw refuse(std::string("cannot be read: ") + error.what());
-  }
-  std::vector<Rgb> radiance;
-  radiance.reserve(planes[0].size());
-  for (std::size_t i = 0; i < planes[0].size(); ++i) {
-    const Rgb v{planes[0][i], planes[1][i], planes[2][i]};
-    if (!(v.r >= 0 && v.g >= 0 && v.b >= 0 && largest_channel(v) < kInfinity)) {
-      throw refuse("has a pixel that is negative or not finite");
-    }
-    radiance.push_back(v);
-  }
-  return std::make_shared<const SkyImage>(width, height, std::move(radiance));
 }
 
 }  // namespace vitrail

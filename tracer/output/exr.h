@@ -2,7 +2,6 @@
 /// The image file: one part, float channels, radiance with its halves and layers. The only door to OpenEXR.
 
 #include <map>
-#include <memory>
 #include <string>
 
 #include "render/film.h"
@@ -16,9 +15,5 @@ namespace vitrail {
 /// written.
 void write_exr(const std::string& path, const Film& film, const Plan& plan,
                const std::map<std::string, std::string>& metadata, unsigned threads = 1);
-
-/// Read R, G, B of an EXR image as the radiance of a lat-long sky. Throws InputError if it is not there, not an EXR
-/// image, or has values that are negative or not finite.
-std::shared_ptr<const SkyImage> read_sky(const std::string& path);
 
 }  // namespace vitrail

@@ -36,12 +36,11 @@ bool JsonValue::object(std::initializer_list<const char*> required, std::initial
   for (const auto& item : value_->items()) {
     const auto same = [&](const char* key) { return item.key() == key; };
     if (std::none_of(required.begin(), required.end(), same) && std::none_of(optional.begin(), optional.end(), same))
-      reading_.faults.push_back(
-          {path_ + "." + item.key(), "is unknown",
-           "the keys here are " + listed(required) + (optional.size() ? ", " : "") + listed(optional)});
+      faults_->push_back({path_ + "." + item.key(), "is unknown",
+                          "the keys here are " + listed(required) + (optional.size() ? ", " : "") + listed(optional)});
   }
   for (const char* key : required)
-    if (!value_->contains(key)) reading_.faults.push_back({path_ + "." + key, "is missing", "add it"});
+    if (!value_->contains(key)) faults_->push_back({path_ + "." + key, "is missing", "add it"});
   return true;
 }
 
@@ -52,12 +51,12 @@ bool JsonValue::is_null() const { return value_->is_null(); }
 
 JsonValue JsonValue::at(const char* key) const {
   const std::string path = path_.empty() ? key : path_ + "." + key;
-  if (value_->is_object() && value_->contains(key)) return {(*value_)[key], path, reading_};
+  if (value_->is_object() && value_->contains(key)) return {(*value_)[key], path, *faults_};
 
   // A missing key has been noted by object(); what is read from it stays silent.
   static thread_local Faults ignored;
   ignored.clear();
-  return {kNothing, path, {reading_.folder, ignored}};
+  return {kNothing, path, ignored};
 }
 
 std::vector<JsonValue> JsonValue::array(int size) const {
@@ -67,7 +66,7 @@ std::vector<JsonValue> JsonValue::array(int size) const {
     return values;
   }
   for (std::size_t i = 0; i < value_->size(); ++i)
-    values.emplace_back((*value_)[i], path_ + "[" + std::to_string(i) + "]", reading_);
+    values.emplace_back((*value_)[i], path_ + "[" + std::to_string(i) + "]", *faults_);
   return values;
 }
 
@@ -109,11 +108,6 @@ std::string JsonValue::string() const {
   if (value_->is_string()) return value_->get<std::string>();
   fault("is " + shown(*value_), "write a text in quotes");
   return "";
-}
-
-std::string JsonValue::file() const {
-  const std::string name = string();
-  return name.empty() || name.front() == '/' || reading_.folder.empty() ? name : reading_.folder + "/" + name;
 }
 
 std::size_t JsonValue::position_in(const std::vector<const char*>& words) const {

@@ -5,11 +5,13 @@
 #include <initializer_list>
 #include <limits>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/diagnostic.h"
 #include "base/vec3.h"
+#include "scene/packed.h"
 
 namespace vitrail {
 
@@ -34,22 +36,14 @@ struct Choice {
   Value value;
 };
 
-/// What all values of one file share: where its relative file names begin, and the faults found so far.
-struct Reading {
-  const std::string& folder;
-  Faults& faults;
-};
-
 /// Reading never stops at a fault: it is noted, and a harmless value stands in, so that one run finds every fault.
 class JsonValue {
  public:
-  JsonValue(const nlohmann::json& value, std::string path, Reading reading)
-      : value_(&value), path_(std::move(path)), reading_(reading) {}
+  JsonValue(const nlohmann::json& value, std::string path, Faults& faults)
+      : value_(&value), path_(std::move(path)), faults_(&faults) {}
 
   const std::string& path() const { return path_; }
-  void fault(const std::string& what, const std::string& remedy) const {
-    reading_.faults.push_back({path_, what, remedy});
-  }
+  void fault(const std::string& what, const std::string& remedy) const { faults_->push_back({path_, what, remedy}); }
 
   /// An object that has exactly these keys, the optional ones or not. False (and noted) if it is no object.
   bool object(std::initializer_list<const char*> required, std::initializer_list<const char*> optional = {}) const;
@@ -68,8 +62,13 @@ class JsonValue {
   std::uint64_t count() const;  // any whole number of 64 bits, not negative
   bool boolean() const;
   std::string string() const;
-  /// A file name as given if absolute, else beside the file that is read.
-  std::string file() const;
+  /// Numbers packed into one text; none (and noted) where the text is not that.
+  template <typename Number>
+  std::vector<Number> packed() const {
+    std::optional<std::vector<Number>> numbers = unpack<Number>(string());
+    if (!numbers) fault("is no text of packed numbers", "write their bytes in base64, lowest first");
+    return numbers.value_or(std::vector<Number>{});
+  }
   /// What a word stands for in a table of choices; the first where the word is in none.
   template <typename Value, std::size_t count>
   Value choice(const Choice<Value> (&choices)[count]) const {
@@ -88,7 +87,7 @@ class JsonValue {
 
   const nlohmann::json* value_;
   std::string path_;
-  Reading reading_;
+  Faults* faults_;
 };
 
 }  // namespace vitrail

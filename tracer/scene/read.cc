@@ -181,7 +181,7 @@ Scene read_parts(const JsonValue& root) {
 
 }  // namespace
 
-Scene parse_scene(const std::string& text, const std::string& folder) {
+Scene parse_scene(const std::string& text) {
   nlohmann::json document;
   try {
     document = nlohmann::json::parse(text);
@@ -192,7 +192,7 @@ Scene parse_scene(const std::string& text, const std::string& folder) {
   // Collect all faults of form first; the rules between parts make sense only for well-formed parts.
   Faults faults;
   if (!document.is_object()) throw InputError({{"scene", "is not an object", "write a lowered scene"}});
-  Scene scene = read_parts(JsonValue(document, "scene", {folder, faults}));
+  Scene scene = read_parts(JsonValue(document, "scene", faults));
   if (faults.empty()) faults = validate(scene);
   if (!faults.empty()) throw InputError(faults);
   return scene;
@@ -203,8 +203,7 @@ Scene read_scene(const std::string& path) {
   std::ostringstream text;
   if (!file || !(text << file.rdbuf()))
     throw InputError({{path, "cannot be read", "name an existing, readable file with a lowered scene"}});
-  const std::size_t slash = path.find_last_of('/');
-  Scene scene = parse_scene(text.str(), slash == std::string::npos ? "." : path.substr(0, slash));
+  Scene scene = parse_scene(text.str());
   centre_scene(scene);
   return scene;
 }

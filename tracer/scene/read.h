@@ -10,7 +10,7 @@ namespace vitrail {
 /// Read, validate and centre a lowered scene. Throws InputError with every fault found.
 Scene read_scene(const std::string& path);
 
-/// The same from text; `folder` resolves relative file names. Does not move the scene to its centre.
-Scene parse_scene(const std::string& text, const std::string& folder);
+/// The same from text. Does not move the scene to its centre.
+Scene parse_scene(const std::string& text);
 
 }  // namespace vitrail

@@ -1,3 +1,5 @@
+#include <limits>
+
 #include "scene/read_parts.h"
 
 namespace vitrail {
@@ -50,11 +52,38 @@ Emitter read_area(const JsonValue& value) {
   return light;
 }
 
+/// Pixels of the largest sky: 8192 x 4096.
+constexpr std::int64_t kMostSkyPixels = std::int64_t{1} << 25;
+
+/// A lat-long image in rows from the top: three floats a pixel.
+std::shared_ptr<const SkyImage> read_sky(const JsonValue& value) {
+  value.object({"width", "height", "radiance"});
+  const auto width = static_cast<int>(value.at("width").integer(1, kMostSkyPixels));
+  const auto height = static_cast<int>(value.at("height").integer(1, kMostSkyPixels / width));
+  const JsonValue radiance = value.at("radiance");
+  const std::vector<float> numbers = radiance.packed<float>();
+  const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  if (numbers.size() != 3 * pixels) {
+    radiance.fault("holds " + std::to_string(numbers.size()) + " numbers", "pack three for each pixel");
+    return std::make_shared<const SkyImage>(1, 1, std::vector<Rgb>(1));
+  }
+  std::vector<Rgb> sky(pixels);
+  for (std::size_t i = 0; i < pixels; ++i) {
+    sky[i] = {numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]};
+    if (sky[i].r >= 0 && sky[i].g >= 0 && sky[i].b >= 0 &&
+        largest_channel(sky[i]) < std::numeric_limits<double>::infinity())
+      continue;
+    radiance.fault("holds a pixel that is negative or not finite", "pack radiance");
+    break;
+  }
+  return std::make_shared<const SkyImage>(width, height, std::move(sky));
+}
+
 Emitter read_environment(const JsonValue& value) {
   EnvironmentLight light;
-  if (value.has("file")) {
-    value.object({"name", "kind", "file"});
-    light.file = value.at("file").file();
+  if (value.has("image")) {
+    value.object({"name", "kind", "image"});
+    light.image = read_sky(value.at("image"));
     light.radiance = {1, 1, 1};
   } else {
     value.object({"name", "kind", "radiance"});

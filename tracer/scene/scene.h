@@ -122,8 +122,7 @@ struct AreaLight {
 /// Radiance from everywhere: constant, or a lat-long image.
 struct EnvironmentLight {
   Rgb radiance;
-  std::string file;                       // empty for the constant one; resolved against the folder of the JSON
-  std::shared_ptr<const SkyImage> image;  // what is in the file, once it is read
+  std::shared_ptr<const SkyImage> image;  // none for the constant one
 };
 using Emitter = std::variant<DirectionalLight, PointLight, SpotLight, AreaLight, EnvironmentLight>;
 

@@ -54,6 +54,30 @@ std::string fault_of_outline(const std::vector<std::array<double, 2>>& corners) 
   return corners.size() < 3 || doubled_area(corners) == 0 ? "is no polygon with an area" : "";
 }
 
+std::vector<Vec3> read_triplets(const JsonValue& value) {
+  const std::vector<double> numbers = value.packed<double>();
+  std::vector<Vec3> triplets;
+  triplets.reserve(numbers.size() / 3);
+  for (std::size_t i = 0; i + 2 < numbers.size(); i += 3)
+    triplets.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});
+  if (numbers.size() % 3 != 0) value.fault("holds " + std::to_string(numbers.size()) + " numbers", "pack three each");
+  for (const Vec3& each : triplets)
+    if (!is_finite(each)) return value.fault("holds what is not finite", "pack finite numbers"), std::vector<Vec3>{};
+  return triplets;
+}
+
+std::vector<std::array<std::uint32_t, 3>> read_triangles(const JsonValue& value, std::size_t vertices) {
+  const std::vector<std::uint32_t> corners = value.packed<std::uint32_t>();
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  if (corners.size() % 3 != 0) value.fault("holds " + std::to_string(corners.size()) + " corners", "pack three each");
+  for (const std::uint32_t corner : corners)
+    if (corner >= vertices) return value.fault("names a vertex that is not there", "count from 0"), triangles;
+  triangles.reserve(corners.size() / 3);
+  for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
+    triangles.push_back({corners[i], corners[i + 1], corners[i + 2]});
+  return triangles;
+}
+
 template <typename Part>
 Shape read_as(const JsonValue& value) {
   return Part::read(value);
@@ -211,8 +235,15 @@ std::optional<Place> LatheShape::place() const {
 }
 
 MeshShape MeshShape::read(const JsonValue& value) {
-  value.object({"kind", "file", "smooth", "frame"});
-  return {value.at("file").file(), value.at("smooth").boolean(), read_frame(value.at("frame"))};
+  value.object({"kind", "vertices", "triangles", "smooth", "frame"}, {"normals"});
+  MeshData data;
+  data.vertices = read_triplets(value.at("vertices"));
+  if (value.has("normals")) data.normals = read_triplets(value.at("normals"));
+  if (!data.normals.empty() && data.normals.size() != data.vertices.size())
+    value.at("normals").fault("has not one normal a vertex", "write as many as vertices, or leave it out");
+  data.triangles = read_triangles(value.at("triangles"), data.vertices.size());
+  return {std::make_shared<const MeshData>(std::move(data)), value.at("smooth").boolean(),
+          read_frame(value.at("frame"))};
 }
 
 Shape read_shape(const JsonValue& value) {

@@ -3,6 +3,7 @@
 /// rays ask of it stands in geometry/.
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -10,6 +11,7 @@
 
 #include "base/frame.h"
 #include "base/vec3.h"
+#include "scene/mesh_data.h"
 
 namespace vitrail {
 
@@ -128,14 +130,14 @@ struct LatheShape {
   void move(Vec3 by) { frame.origin += by; }
 };
 
-/// Triangles from a PLY or OBJ file; closed and outward where the material transmits.
+/// Triangles; closed and outward where the material transmits.
 struct MeshShape {
-  std::string file;  // resolved against the folder of the JSON
+  std::shared_ptr<const MeshData> data;
   bool smooth = true;
   Frame frame;
 
   static MeshShape read(const JsonValue& value);
-  std::optional<Place> place() const { return {}; }  // its file is not read here
+  std::optional<Place> place() const { return {}; }  // a mesh has no part in finding the centre
   void move(Vec3 by) { frame.origin += by; }
 };
 

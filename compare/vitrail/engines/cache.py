@@ -15,30 +15,12 @@ from vitrail.engines.base import Rendering
 RECORD = "record.json"
 
 
-def content_key(engine: str, version: str, texts: Iterable[str], files: Iterable[Path] = ()) -> str:
-    """SHA-256 (hex) of everything that decides an image.
-
-    ``texts`` are the lowered scene and the settings as text; ``files`` the meshes and images that it names, by content.
-    Raises OSError when one of them cannot be read.
-    """
+def content_key(engine: str, version: str, texts: Iterable[str]) -> str:
+    """SHA-256 (hex) of everything that decides an image; ``texts`` are the lowered scene and the settings as text."""
     digest = hashlib.sha256()
     for part in (engine, version, *texts):
         _feed(digest, part.encode())
-    for file in files:
-        _feed(digest, file.read_bytes())
     return digest.hexdigest()
-
-
-def named_files(lowered: object) -> list[Path]:
-    """Every file that a lowered scene names under a key ``file``, in order."""
-    match lowered:
-        case dict():
-            own = [Path(value) for key, value in lowered.items() if key == "file" and isinstance(value, str)]
-            return own + [path for value in lowered.values() for path in named_files(value)]
-        case list() | tuple():
-            return [path for value in lowered for path in named_files(value)]
-        case _:
-            return []
 
 
 class Cache:

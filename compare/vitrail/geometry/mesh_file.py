@@ -1,28 +1,45 @@
-"""Triangles from a PLY or OBJ file, in the world.
+"""Triangles from a PLY or OBJ file: read once, here, for every engine; and placed in the world.
 
 Vertex normals are those of the file, or for a smooth mesh without any the mean of the neighbouring faces, weighted by
-their angle at the vertex, as in our tracer. Polygons are cut into triangles by ``polygon_cut``.
+their angle at the vertex, as in our tracer.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 from pathlib import Path
 
 import numpy as np
 
+from vitrail.base.input_file import InputFileError, look_at, read_bytes
 from vitrail.geometry.frame import Frame
 from vitrail.geometry.obj_file import read_obj
 from vitrail.geometry.ply_file import read_ply
-from vitrail.geometry.raw_mesh import RawMesh
+from vitrail.geometry.polygon_cut import triangles_of
 from vitrail.scene.model import Mesh
 
-MOST_BYTES = 2**31
-"""Size of the largest file that is read: some 40 million triangles, more than either engine holds."""
+MOST_BYTES = 2**29
+"""Size of the largest file that is read: some 10 million triangles, more than either engine holds."""
+
+LARGEST_M = 1e9
+"""Largest coordinate, as everywhere in a scene."""
+
+KEPT = 16
+"""Files that stay in memory, for scenes that name one several times and for every step that asks."""
 
 
 class MeshFileError(Exception):
     """The file cannot be read as a mesh; the message says why."""
+
+
+@dataclass(frozen=True)
+class ReadMesh:
+    """What a file holds, in its own axes: vertices (n, 3) in metres, triangles (m, 3), and normals (n, 3) or None."""
+
+    vertices: np.ndarray
+    triangles: np.ndarray
+    normals: np.ndarray | None
 
 
 @dataclass(frozen=True)
@@ -39,39 +56,49 @@ class Triangles:
         return self.vertices[self.faces]
 
 
-def read_triangles(path: Path, mesh: Mesh, frame: Frame) -> Triangles:
-    """Read and place a mesh. Raises MeshFileError."""
-    raw = _read_whole(path)
+def read_mesh(path: Path) -> ReadMesh:
+    """Read a mesh; a file that has not changed is read once. Raises MeshFileError."""
     try:
-        found = read_ply(path, raw) if raw.startswith(b"ply") else read_obj(raw.decode("utf-8", "replace"))
-        _refuse_infinite(found)
-        faces = found.triangles()
+        found = look_at(path)
+    except InputFileError as error:
+        raise MeshFileError(f"it {error}") from None
+    return _read(path, (found.st_dev, found.st_ino, found.st_size, found.st_mtime_ns))
+
+
+def placed(mesh: ReadMesh, shape: Mesh, frame: Frame) -> Triangles:
+    """A mesh where its frame puts it."""
+    rotation = np.array(frame.rotation)
+    vertices = mesh.vertices @ rotation.T + np.array(frame.origin)
+    if not shape.smooth:
+        return Triangles(vertices, mesh.triangles, None)
+    if mesh.normals is not None:
+        return Triangles(vertices, mesh.triangles, mesh.normals @ rotation.T)
+    return Triangles(vertices, mesh.triangles, _angle_weighted(vertices, mesh.triangles))
+
+
+@lru_cache(maxsize=KEPT)
+def _read(path: Path, _state: tuple[int, ...]) -> ReadMesh:
+    try:
+        raw = read_bytes(path, MOST_BYTES)
+        found = read_ply(path, raw) if raw.startswith(b"ply") else read_obj(raw)
+        _refuse_beyond(found.vertices, "vertex", LARGEST_M)
+        if found.normals is not None:
+            _refuse_beyond(found.normals, "normal", np.inf)
+        triangles = triangles_of(found.corners, found.counts, found.vertices)
+    except InputFileError as error:
+        raise MeshFileError(f"it {error}") from None
     except (ValueError, OverflowError) as error:
         raise MeshFileError(str(error)) from None
-    if len(faces) == 0:
+    if len(triangles) == 0:
         raise MeshFileError("it has no faces")
-    vertices, normals = found.vertices, found.normals
-    rotation = np.array(frame.rotation)
-    placed = vertices @ rotation.T + np.array(frame.origin)
-    if not mesh.smooth:
-        return Triangles(placed, faces, None)
-    normals = _angle_weighted(placed, faces) if normals is None else normals @ rotation.T
-    return Triangles(placed, faces, normals)
+    return ReadMesh(found.vertices, triangles, found.normals)
 
 
-def _refuse_infinite(mesh: RawMesh) -> None:
-    for values, what in ((mesh.vertices, "vertex"), (mesh.normals, "normal")):
-        if values is not None and not (finite := np.isfinite(values).all(axis=1)).all():
-            raise ValueError(f"its {what} {int(np.argmin(finite))} is not finite")
-
-
-def _read_whole(path: Path) -> bytes:
-    try:
-        if (size := path.stat().st_size) > MOST_BYTES:
-            raise MeshFileError(f"it has {size:.3g} bytes, and at most {MOST_BYTES:.3g} are read")
-        return path.read_bytes()
-    except OSError as error:
-        raise MeshFileError(f"it cannot be read ({error.strerror})") from None
+def _refuse_beyond(values: np.ndarray, what: str, largest: float) -> None:
+    if not (finite := np.isfinite(values).all(axis=1)).all():
+        raise ValueError(f"its {what} {int(np.argmin(finite))} is not finite")
+    if not (near := (np.abs(values) <= largest).all(axis=1)).all():
+        raise ValueError(f"its {what} {int(np.argmin(near))} is farther than {largest:g} m")
 
 
 def _angle_weighted(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 from typing import assert_never
 
@@ -66,6 +67,6 @@ def solid_of(shape: Shape, folder: Path | None = None) -> Solid:
         case Lathe():
             return PlacedLathe(shape, own)
         case Mesh():
-            return PlacedMesh(shape, own, None if folder is None else (folder / shape.file).resolve())
+            return PlacedMesh(shape, own, None if folder is None else Path(os.path.realpath(folder / shape.file)))
         case _:
             assert_never(shape)

@@ -1,4 +1,4 @@
-"""PLY files by plyfile: ASCII or binary of either byte order, triangles or polygons.
+"""PLY files by plyfile: ASCII or binary of either byte order, triangles or polygons, elements in any order.
 
 Numbers in ASCII are read as doubles whatever the header calls them, so that a vertex keeps every digit that was
 written, as in our tracer. A file of triangles alone is read in one sweep; what is not that plain is read row by row,
@@ -21,6 +21,9 @@ if TYPE_CHECKING:
     from plyfile import PlyData, PlyElement
 
 _INDICES = ("vertex_indices", "vertex_index")
+_LONGEST_HEADER = 2**20
+_BROKEN = (AssertionError, KeyError, IndexError, TypeError, AttributeError, StopIteration, MemoryError)
+"""What plyfile raises, beside errors of its own and ValueError, for a header or body that it did not expect."""
 Columns = Mapping[str, np.ndarray]
 """The values of one element by property: (rows,) numbers, (rows, 3) corners, or (rows,) arrays of corners."""
 
@@ -30,20 +33,37 @@ def read_ply(path: Path, raw: bytes) -> RawMesh:
     # A scene without a mesh need not load the reader of meshes.
     from plyfile import PlyData, PlyParseError
 
-    start = raw.find(b"\n", raw.find(b"end_header")) + 1
+    start = _end_of_header(raw)
     head, body = raw[:start], raw[start:]
     try:
+        _refuse_too_many(head, len(body))
         if re.search(rb"^format\s+ascii", head, re.MULTILINE):
             head = re.sub(rb"\b(float|float32)\b(?=\s+(x|y|z|nx|ny|nz)\b)", b"double", head)
             found = _sweep(head, body) or _columns(PlyData.read(io.BytesIO(head + body)))
         else:
             found = _columns(_mapped(path, head))
-    except PlyParseError as error:
-        raise ValueError(str(error)) from None
+    except (PlyParseError, *_BROKEN) as error:
+        raise ValueError(f"it is damaged ({error})") from None
     for name in ("vertex", "face"):
         if name not in found:
             raise ValueError(f"it has no element `{name}`")
-    return RawMesh(*_vertices(found["vertex"]), _faces(found["face"]))
+    return RawMesh(*_vertices(found["vertex"]), *_faces(found["face"]))
+
+
+def _end_of_header(raw: bytes) -> int:
+    """Where the body begins."""
+    found = re.search(rb"^end_header[ \t]*(\r\n|\n|\r)", raw[:_LONGEST_HEADER], re.MULTILINE)
+    if found is None:
+        raise ValueError(f"its header has no line `end_header` within {_LONGEST_HEADER} bytes")
+    return found.end()
+
+
+def _refuse_too_many(head: bytes, body_bytes: int) -> None:
+    """Refuse rows that cannot all be there: a row has a byte for each property, and rows of nothing would never end."""
+    elements, counts = _layout(head)
+    for part, count in zip(elements, counts, strict=True):
+        if count * max(1, len(part.properties)) > body_bytes:
+            raise ValueError(f"its {count} rows of `{part.name}` do not fit into the {body_bytes} bytes that follow")
 
 
 def _columns(data: PlyData) -> dict[str, Columns]:
@@ -51,13 +71,15 @@ def _columns(data: PlyData) -> dict[str, Columns]:
 
 
 def _mapped(path: Path, head: bytes) -> PlyData:
-    """A binary file, mapped into memory where all its faces have three corners, else row by row."""
+    """A binary file, mapped into memory where all its faces have three corners, or all four; else row by row."""
     from plyfile import PlyData, PlyParseError
 
     found = re.search(rb"property\s+list\s+\S+\s+\S+\s+(vertex_ind(?:ices|ex))\b", head)
-    if found:
+    for corners in (3, 4):
+        if found is None:
+            break
         try:
-            return PlyData.read(str(path), known_list_len={"face": {found.group(1).decode(): 3}})
+            return PlyData.read(str(path), known_list_len={"face": {found.group(1).decode(): corners}})
         except PlyParseError:
             pass
     return PlyData.read(str(path))
@@ -116,13 +138,22 @@ def _vertices(columns: Columns) -> tuple[np.ndarray, np.ndarray | None]:
     return vertices, np.stack([np.asarray(columns[key], float) for key in ("nx", "ny", "nz")], axis=1)
 
 
-def _faces(columns: Columns) -> list[list[int]] | np.ndarray:
+def _faces(columns: Columns) -> tuple[np.ndarray, np.ndarray]:
+    """The corners of all faces, one after the other, and how many each has."""
     name = next((each for each in _INDICES if each in columns), None)
     if name is None:
         raise ValueError("its faces have no list of corners; the property is `vertex_indices`")
     column = columns[name]
     if column.ndim == 2:
-        return np.asarray(column, int)
+        rows, size = column.shape
+        return _whole(column.reshape(-1)), np.full(rows, size)
     if column.dtype != object:
         raise ValueError(f"the property `{name}` of its faces is one number, and no list")
-    return [[int(each) for each in corners] for corners in column]
+    counts = np.array([len(each) for each in column], int)
+    return _whole(np.concatenate([*column, np.empty(0)])), counts
+
+
+def _whole(corners: np.ndarray) -> np.ndarray:
+    if not _are_whole(corners):
+        raise ValueError("a face names a vertex by what is no whole number")
+    return corners.astype(int)

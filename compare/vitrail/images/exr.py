@@ -20,6 +20,12 @@ from vitrail.base.fault import Fault
 RESERVED = ("half_a", "half_b", "variance")
 HALF_MAX = 65504.0
 
+MOST_BYTES = 2**32
+"""Size of the largest file that is read."""
+
+MOST_NUMBERS = 2**29
+"""Pixels times channels of the largest image: 4096 x 4096 with ten layers."""
+
 
 class ImageError(Fault):
     """An image cannot be read or written: its file, what is wrong with it, and what to do."""
@@ -60,12 +66,15 @@ def read_image(path: str | Path) -> ImageLayers:
     """Everything in an image file. Raises ImageError for a missing, corrupt, cropped or channel-less file."""
     if not Path(path).is_file():
         raise ImageError(path, "no such image", "render it, or correct the path")
+    if Path(path).stat().st_size > MOST_BYTES:
+        raise ImageError(path, f"is a file of more than {MOST_BYTES:.3g} bytes", "write a smaller image")
     source = oiio.ImageInput.open(str(path))
     if source is None:
         raise ImageError(path, f"is not a readable image ({oiio.geterror() or 'unknown format'})", "write it again")
     try:
         spec = source.spec()
         _refuse_cropped(path, spec)
+        _refuse_huge(path, spec)
         pixels = source.read_image(0, 0, 0, spec.nchannels, oiio.FLOAT)
         if pixels is None:
             raise ImageError(path, f"is damaged or cut off ({source.geterror()})", "write it again")
@@ -142,6 +151,14 @@ def _refuse_cropped(path: str | Path, spec: oiio.ImageSpec) -> None:
     full = (spec.full_x, spec.full_y, spec.full_width, spec.full_height)
     if data != full:
         raise ImageError(path, f"holds the window {data} of a picture {full}", "write the whole picture")
+
+
+def _refuse_huge(path: str | Path, spec: oiio.ImageSpec) -> None:
+    """A header can announce more than any memory holds, in a file of a few bytes."""
+    numbers = spec.width * spec.height * spec.nchannels
+    if spec.depth > 1 or numbers > MOST_NUMBERS:
+        what = f"announces {spec.width} x {spec.height} pixels of {spec.nchannels} channels"
+        raise ImageError(path, what, f"write one flat image of at most {MOST_NUMBERS} numbers")
 
 
 def _groups(path: str | Path, pixels: np.ndarray, names: list[str]) -> dict[str, np.ndarray]:

@@ -5,13 +5,13 @@ from __future__ import annotations
 from typing import Any
 
 from vitrail.base.canonical_json import canonical_json
-from vitrail.engines.cache import content_key, named_files
+from vitrail.engines.cache import content_key
 from vitrail.lower.povray import PovrayScene
 
 
 def tracer_key(build: str, lowered: dict[str, Any]) -> str:
-    """Of the tracer's image: its input, and the meshes and images that the input names."""
-    return content_key("tracer", build, [canonical_json(lowered)], named_files(lowered))
+    """Of the tracer's image: its input, which holds the meshes and skies of the scene."""
+    return content_key("tracer", build, [canonical_json(lowered)])
 
 
 def povray_key(build: str, lowered: PovrayScene | None) -> str:

@@ -16,7 +16,7 @@ from vitrail.base.vector import Vec
 from vitrail.geometry.bounds import EVERYWHERE, Bounds
 from vitrail.geometry.face import Face
 from vitrail.geometry.frame import Frame
-from vitrail.geometry.mesh_file import read_triangles
+from vitrail.geometry.mesh_file import ReadMesh, placed, read_mesh
 from vitrail.geometry.solid import Solid
 from vitrail.scene.model import Mesh
 
@@ -46,7 +46,13 @@ class PlacedMesh(Solid):
         if self.origin is not None:
             read = self.origin.solid
             return read if read is None or self.outwards_m == 0 else MeshSolid(read.moved(self.outwards_m))
-        return None if self.file is None else MeshSolid(read_triangles(self.file, self.shape, self.frame))
+        return None if self.file is None else MeshSolid(placed(self.read, self.shape, self.frame))
+
+    @property
+    def read(self) -> ReadMesh:
+        """What its file holds, in the axes of the file. Raises MeshFileError for a file that cannot be read."""
+        assert self.file is not None, "a mesh of a world with a folder has a full path"
+        return read_mesh(self.file)
 
     @property
     def known(self) -> MeshSolid:

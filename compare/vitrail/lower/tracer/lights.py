@@ -5,8 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any, assert_never
 
+from vitrail.base.packed_numbers import pack
 from vitrail.base.vector import unit
-from vitrail.lower.tracer.shapes import beside, flat_shape
+from vitrail.lower.tracer.shapes import flat_shape
 from vitrail.scene.model import Area, Directional, Environment, Light, Point, Spot
 
 Json = dict[str, Any]
@@ -39,7 +40,7 @@ def _emitter(light: Light, folder: Path | None) -> Json:
             return _area(emitter)
         case Environment():
             if emitter.file is not None:
-                return {"file": beside(emitter.file, folder)}
+                return {"image": _sky(emitter.file, folder)}
             return {"radiance": emitter.radiance}
         case _:
             assert_never(emitter)
@@ -49,3 +50,13 @@ def _area(lamp: Area) -> Json:
     if lamp.collimated:
         return {"shape": flat_shape(lamp.shape), "collimated": True, "irradiance": lamp.strength}
     return {"shape": flat_shape(lamp.shape), "radiance": lamp.strength}
+
+
+def _sky(file: str, folder: Path | None) -> Json:
+    """The pixels of a sky in rows from the top. It is read here and nowhere else."""
+    # Images take long to import, and few scenes have one.
+    from vitrail.images.sky import read_sky
+
+    radiance = read_sky((folder or Path()) / file)
+    height, width, _ = radiance.shape
+    return {"width": width, "height": height, "radiance": pack(radiance, "f4")}

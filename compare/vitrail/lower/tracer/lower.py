@@ -34,7 +34,7 @@ def lower_tracer(
     views: Sequence[ObservationView] = (),
     wavelength_nm: float | None = None,
 ) -> Json:
-    """The tracer's input; files that the scene names have full paths, if the world has a folder.
+    """The tracer's input, with all that it needs: the meshes and skies that the scene names are in it.
 
     All lengths are metres, all directions of unit length, colours linear Rec. 709; ``canonical_json`` prints it.
     Pictures of ``views`` are made from the photons of the scene's own picture.
@@ -88,7 +88,7 @@ def _object(world: World, item: Object, used: list[str]) -> Json:
         "name": item.name,
         "material": used.index(item.material),
         "priority": item.priority or 0,
-        "shape": lowered_shape(world.solid(item), world.folder),
+        "shape": lowered_shape(world.solid(item)),
     }
 
 

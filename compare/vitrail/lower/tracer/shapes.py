@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Any, assert_never
 
+from vitrail.base.packed_numbers import pack
 from vitrail.base.vector import unit
 from vitrail.geometry.frame import Frame
+from vitrail.geometry.shapes.mesh import PlacedMesh
 from vitrail.geometry.solid import Solid
 from vitrail.scene.model import (
     Box,
@@ -26,7 +27,7 @@ from vitrail.scene.model import (
 Json = dict[str, Any]
 
 
-def lowered_shape(solid: Solid, folder: Path | None) -> Json:
+def lowered_shape(solid: Solid) -> Json:
     """One shape; normals come out with unit length."""
     shape, frame = solid.shape, lowered_frame(solid.frame)
     match shape:
@@ -52,9 +53,17 @@ def lowered_shape(solid: Solid, folder: Path | None) -> Json:
         case Lathe():
             return {"kind": "lathe", "profile": shape.profile, "frame": frame}
         case Mesh():
-            return {"kind": "mesh", "file": beside(shape.file, folder), "smooth": shape.smooth, "frame": frame}
+            assert isinstance(solid, PlacedMesh)
+            return {"kind": "mesh", **_triangles(solid), "smooth": shape.smooth, "frame": frame}
         case _:
             assert_never(shape)
+
+
+def _triangles(mesh: PlacedMesh) -> Json:
+    """What its file holds, in the axes of the file; the tracer places it. It is read here and nowhere else."""
+    read = mesh.read
+    normals = {} if read.normals is None else {"normals": pack(read.normals, "f8")}
+    return {"vertices": pack(read.vertices, "f8"), "triangles": pack(read.triangles, "u4"), **normals}
 
 
 def flat_shape(shape: Rectangle | Disc) -> Json:
@@ -70,8 +79,3 @@ def flat_shape(shape: Rectangle | Disc) -> Json:
 
 def lowered_frame(frame: Frame) -> Json:
     return {"origin": frame.origin, "rotation": frame.rotation, "identity": frame.is_identity}
-
-
-def beside(file: str, folder: Path | None) -> str:
-    """The file a scene names, sought beside the scene."""
-    return file if folder is None else str((folder / file).resolve())
