@@ -18,6 +18,9 @@ from vitrail.engines.povray_output import Statistics
 from vitrail.images.exr import write_image
 from vitrail.lower.povray import PovrayRun, PovrayScene
 
+NOTICEABLE_LOSS = 0.01
+"""Share of a look that cut branches may take before the run record warns of it."""
+
 
 @dataclass(frozen=True)
 class Execution:
@@ -216,19 +219,33 @@ def _view_record(lowered: PovrayScene, done: list[Outcome], view: str) -> dict[s
 
 
 def _warnings(outcomes: list[Outcome]) -> list[str]:
-    """Rays that met the limit of depth, where the scene itself sets it, and photons that all left the scene."""
+    """Rays that met the limit of depth, branches that were cut, and photons that all left the scene."""
     limits = {
         drawn.done.statistics.level_limit
         for outcome in outcomes
         for drawn in outcome.drawn
         if drawn.done.statistics.deepest_level >= drawn.done.statistics.level_limit > 0
     }
-    found = [f"camera rays reached the scene's limit of {limit} levels; what lies deeper is black" for limit in limits]
+    found = [f"camera rays reached the limit of {limit} levels; what lies deeper is black" for limit in limits]
+    found += _cut_branches(outcomes)
     census = [outcome.census for outcome in outcomes if outcome.census is not None]
     if census and not any(each.stored for each in census):
         shot = sum(each.shot.statistics.photons_shot for each in census)
         found.append(f"none of {shot} photons met a surface that scatters; the picture has no caustic")
     return found
+
+
+def _cut_branches(outcomes: list[Outcome]) -> list[str]:
+    """What a look at the scene loses at most by branches that are cut: each less than the weight that cuts it."""
+    most = 0.0
+    for outcome in outcomes:
+        own = next(each for each in outcome.run.pictures if not each.view)
+        cut = outcome.picture("").done.statistics.cut_by_weight
+        most = max(most, cut / (own.width * own.height) * outcome.run.adc_bailout)
+    if most <= NOTICEABLE_LOSS:
+        return []
+    remedy = "lower `max_reflections`, or ask for `quality=reference`, which cuts later"
+    return [f"branches of weak light were cut; up to {min(most, 1):.2g} of what a look sees may be missing; {remedy}"]
 
 
 def write_sky(path: Path, pixels: np.ndarray) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import shutil
+import signal
 import tempfile
 import threading
 import time
@@ -28,6 +29,7 @@ from vitrail.lower.povray.text.sky import SkyPicture
 
 ENGINE = "povray"
 DEFECT = "this is a defect of the translation or of POV-Ray; its words follow"
+TOO_DEEP = "its stack may be too small for so many faces; lower max_transmissions or max_reflections; its words follow"
 
 
 def work_of(run: PovrayRun) -> tuple[object, ...]:
@@ -136,7 +138,8 @@ def _check_ending(finished: Finished, output: str) -> None:
         remedy = "lower the number of photons or samples, or raise the time limit"
         raise EngineFailure(ENGINE, f"it {finished.ending()}", remedy, complaint_of(output))
     if finished.code != 0:
-        raise EngineFailure(ENGINE, f"it {finished.ending()}", DEFECT, complaint_of(output))
+        remedy = TOO_DEEP if finished.code == -signal.SIGSEGV else DEFECT
+        raise EngineFailure(ENGINE, f"it {finished.ending()}", remedy, complaint_of(output))
 
 
 def _census(shot: Execution, path: Path) -> PhotonCensus:

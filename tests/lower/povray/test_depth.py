@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from tests.lower.povray.real_povray import lowered, rendered, scene
+from tests.lower.povray.real_povray import LOOKING_DOWN, lowered, rendered, scene
 from vitrail.base.phenomenon import Phenomenon
 
 pytestmark = pytest.mark.povray
@@ -94,3 +94,45 @@ def test_light_that_has_to_cross_an_infinite_plane_arrives_nowhere() -> None:
     camera = "camera: {position: [0, 2, 3], look_at: [0, 0, 0], fov_deg: 40}"
     seen = rendered(scene("glass: {transmission: 1, ior: 1.5}\ncard: {diffuse: 0.8}", objects, camera=camera))
     assert seen.lowered.photons is None and seen.image.radiance.max() == 0
+
+
+def test_weak_branches_that_many_faces_cut_are_told() -> None:
+    """A pile of panes shows less than Stokes's (1 - R) / (1 + (2 N - 1) R), and the run record says up to how much."""
+    for count, is_told in ((1, False), (12, True)):
+        panes = "\n".join(
+            f"- {{name: p{k}, box: {{min: [-1, {0.2 * k + 0.1}, -1], max: [1, {0.2 * k + 0.2}, 1]}}, material: glass}}"
+            for k in range(count)
+        )
+        seen = rendered(
+            scene(
+                "glass: {transmission: 1, ior: 1.7, fresnel: true}\nwall: {emission: 1}",
+                "- {name: wall, plane: {point: [0, 0, 0], normal: [0, 1, 0]}, material: wall}\n" + panes,
+                lights="",
+                camera=LOOKING_DOWN.replace("position: [0, 1, 0]", "position: [0, 4, 0]"),
+                image="image: {width: 1, height: 1}",
+            )
+        )
+        mirrored = (0.7 / 2.7) ** 2
+        lost = (1 - mirrored) / (1 + (2 * count - 1) * mirrored) - seen.mean[0]
+        assert (lost > 0.01) == is_told
+        assert any("weak light were cut" in each for each in seen.record["warnings"]) == is_told
+
+
+def test_no_path_goes_deeper_than_the_stack_of_povray() -> None:
+    """A furnace where paths have 250 levels: without a limit POV-Ray ends with a segmentation fault."""
+    seen = rendered(
+        scene(
+            "glass: {transmission: 1, ior: 1.33, fresnel: true}\nheavy: {transmission: 1, ior: 1.7, fresnel: true}",
+            """
+            - {name: block, box: {min: [-1, -1, -1], max: [1, 1, 1]}, material: glass}
+            - {name: ball, sphere: {center: [0.1, 0, 0], radius: 0.8}, material: heavy, priority: 1}
+            """,
+            lights="- {name: sky, environment: {radiance: 1}}",
+            camera="camera: {position: [1.5, 2, 5], look_at: [0, 0, 0], fov_deg: 30}",
+            image="image: {width: 24, height: 24}",
+            more="transport: {max_reflections: 100, max_transmissions: 150}",
+        )
+    )
+    assert seen.image.radiance == pytest.approx(1, abs=0.02)
+    deepest = [each for each in seen.lowered.certificate.entries if each.unit == "levels"]
+    assert "limit of 176" in deepest[0].target_law

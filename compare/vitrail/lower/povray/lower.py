@@ -60,7 +60,7 @@ class PovrayRun:
 
     The radiance of a half image is the sum over its runs of ``gain`` times the picture. Where there are photons,
     ``photon_scene`` shoots and saves them once, and every picture loads them. All look for the file of ``sky``, if
-    there is one, beside them.
+    there is one, beside them. Branches of a path lighter than ``adc_bailout`` are cut.
     """
 
     name: str
@@ -69,6 +69,7 @@ class PovrayRun:
     photon_scene: SdlFile | None
     gain: Triplet
     max_trace_level: int
+    adc_bailout: float
     depth_is_proven: bool
     sky: SkyPicture | None = None
 
@@ -160,6 +161,7 @@ def _run(own: SceneText, close: Sequence[tuple[ObservationView, SceneText]], exp
         photon_scene=own.sdl(exposure, "save_file", sky) if shoots else None,
         gain=exposure.gain,
         max_trace_level=translation.depth.level,
+        adc_bailout=translation.depth.adc_bailout,
         depth_is_proven=translation.depth.is_proven,
         sky=sky,
     )

@@ -104,7 +104,7 @@ def translate(world: World, plan: Plan, settings: Settings, *, is_readable: bool
         indices=Indices(asked.scene, mode.bands, mode.is_sliced),
         lighting=lighting,
         photons=photon_pass(asked, lighting.halves["a"], targets, bodies.units, len(mode.bands)),
-        depth=trace_depth(plan, settings.quality),
+        depth=trace_depth(asked),
     )
 
 

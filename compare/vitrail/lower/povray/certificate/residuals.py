@@ -21,7 +21,7 @@ from vitrail.lower.povray.certificate.certificate import (
 from vitrail.lower.povray.certificate.light_residuals import light_entries
 from vitrail.lower.povray.certificate.material_residuals import longest_lived_share, material_entries, trapped_share
 from vitrail.lower.povray.certificate.photon_residuals import photon_entries
-from vitrail.lower.povray.photons.depth import LIMIT, TraceDepth
+from vitrail.lower.povray.photons.depth import TraceDepth
 from vitrail.lower.povray.photons.radiosity import radiosity_entries
 from vitrail.lower.povray.translation import Translation
 from vitrail.scene.absorption import absorption_per_m
@@ -144,7 +144,7 @@ def _depth(translation: Translation) -> Iterator[Entry]:
         "each way out of a path loses at most one such branch; two on average",
     )
     yield Entry(shown, "path", "every branch", kept, 2 * depth.adc_bailout, RELATIVE, reason)
-    if depth.wanted > LIMIT:
+    if depth.wanted > depth.limit:
         yield _too_deep(depth, shown)
     if not depth.is_proven:
         yield from _one_counter(translation, shown)
@@ -179,7 +179,7 @@ def _too_deep(depth: TraceDepth, shown: Phenomenon) -> Entry:
         shown,
         "path",
         f"{depth.wanted} levels",
-        f"POV-Ray's limit of {LIMIT}",
+        f"POV-Ray's limit of {depth.limit}",
         float(depth.wanted - depth.level),
         "levels",
         "what lies behind so many faces is black",

@@ -9,11 +9,15 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from vitrail.plan.plan import Plan
+from vitrail.lower.povray.asked import Asked
 from vitrail.plan.settings import Quality
+from vitrail.scene.absorption import absorption_per_m
+from vitrail.scene.model import Material
 
-LIMIT = 256
-"""POV-Ray caps max_trace_level here without a word [P 4.3]."""
+DEEPEST = 176
+"""Levels that POV-Ray's stack holds: at 230 it ends with a segmentation fault, though it takes 256 [P 4.3, 7]."""
+DEEPEST_OF_PARTS = 128
+"""The same for photons, and where glass scatters, glows or absorbs, which take more of the stack: it ends at 170."""
 ADC_BAILOUT: dict[Quality, float] = {Quality.DRAFT: 1e-3, Quality.NORMAL: 1e-4, Quality.REFERENCE: 1e-6}
 """Path weight below which POV-Ray gives up; its default of 1/255 turns glass black [P 4.3].
 
@@ -26,18 +30,26 @@ MARGIN = 2
 
 @dataclass(frozen=True)
 class TraceDepth:
-    """``level`` for the scene; ``wanted`` before POV-Ray's cap; proven chains leave levels unused.
+    """``level`` for the scene; ``wanted`` before POV-Ray's ``limit``; proven chains leave levels unused.
 
     Branches of a path lighter than ``adc_bailout`` are cut.
     """
 
     level: int
     wanted: int
+    limit: int
     is_proven: bool
     adc_bailout: float
 
 
-def trace_depth(plan: Plan, quality: Quality) -> TraceDepth:
-    chain = plan.chain
+def trace_depth(asked: Asked) -> TraceDepth:
+    chain = asked.plan.chain
     wanted = chain.reflections + chain.transmissions + (MARGIN if chain.proven else 1)
-    return TraceDepth(min(wanted, LIMIT), wanted, chain.proven, ADC_BAILOUT[quality])
+    in_parts = asked.has_caustic or any(map(_has_parts, asked.scene.materials.values()))
+    limit = DEEPEST_OF_PARTS if in_parts else DEEPEST
+    return TraceDepth(min(wanted, limit), wanted, limit, chain.proven, ADC_BAILOUT[asked.settings.quality])
+
+
+def _has_parts(material: Material) -> bool:
+    has_more = material.is_diffuse or material.emission is not None or max(absorption_per_m(material)) > 0
+    return material.is_specular and has_more
