@@ -128,6 +128,7 @@ TEST(StackByLight, PassesWhatStokesSays) {
     builder.scene.lights.push_back({"lamp", beam_onto({0, 0, 0}, way, 1, 0.1)});
     builder.scene.transport.max_reflections = 60;
     builder.scene.transport.max_transmissions = 200;
+    builder.scene.settings.branch_share = 0;
     const Ledger ledger = photons_of(builder.scene, 4).ledger;
     EXPECT_NEAR(ledger.stored.r / ledger.emitted.r / truth, 1, kHalfAPercent) << incidence;
     EXPECT_LT(ledger.closure(), 1e-9);
@@ -158,6 +159,7 @@ TEST(DropByLight, MakesBothRainbows) {
   builder.add("drop", SphereShape{{0, 0, 0}, 1}, builder.add(water));
   builder.add("sky", SphereShape{{0, 0, 0}, 1e5}, builder.add(diffuse(0.5)));
   builder.scene.lights.push_back({"sun", beam_onto({0, 0, 0}, {0, -1, 0}, 5, 1)});
+  builder.scene.settings.branch_share = 0;
   const PhotonBlock block = photons_of(builder.scene, 40000);
   double heaviest = 0;
   for (const PhotonRecord& photon : block.photons) heaviest = std::max<double>(heaviest, photon.flux[0]);

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "build_scene.h"
-#include "render/branch_choice.h"
+#include "material/branch_choice.h"
 #include "render/render.h"
 
 namespace vitrail {

@@ -7,7 +7,8 @@ namespace vitrail {
 
 struct LightVertex {
   PathState path{};         // the weight is the flux, W
-  double least = 0;         // W; a branch below this is cut off
+  double least = 0;         // W; fainter branches live by chance, or are cut off
+  double share = 1;         // of the photon that left the light, by how it divided at faces
   std::uint32_t index = 0;  // of the photon in its chart, for random choices at rough faces
   PathSignature signature = PathSignature::at_light;
 

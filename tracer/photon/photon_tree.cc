@@ -69,13 +69,10 @@ void PhotonTree::scatter(const LightVertex& photon, const Arrival& arrival, cons
 // Store what may be seen here, send the branches on, and enter what ends in the ledger.
 void PhotonTree::divide(const LightVertex& photon, const Arrival& arrival, const Interaction& event) {
   const Rgb flux = photon.path.weight;
-  Rgb left = flux;
-  for (const Branch* branch : {&event.reflect, &event.transmit}) {
-    if (!branch->exists) continue;
-    const Rgb share = flux * branch->weight;
-    left = left - share;
-    send(photon, arrival, *branch, share);
-  }
+  const Rgb reflected = event.reflect.exists ? flux * event.reflect.weight : Rgb{};
+  const Rgb transmitted = event.transmit.exists ? flux * event.transmit.weight : Rgb{};
+  send_on(photon, arrival, event, {reflected, transmitted});
+  const Rgb left = flux - reflected - transmitted;
   if (photon.has_bounced() && can_be_diffuse(scene_.materials[event.material])) {
     const PathSignature signature = extended(scene_, photon.signature, arrival, PathStep::end);
     landings_.land({arrival.hit.point, event.facing_normal, flux, left, signature});
@@ -85,18 +82,38 @@ void PhotonTree::divide(const LightVertex& photon, const Arrival& arrival, const
   }
 }
 
-void PhotonTree::send(const LightVertex& from, const Arrival& arrival, const Branch& branch, Rgb flux) {
-  const Depth depth = from.path.depth.after(branch.lobe);
-  if (!scene_.within_depth(depth) || !(largest_channel(flux) >= from.least)) {
-    ledger_.truncated += flux;
-    return;
+// Follow the ways that are within the limits, as many as matter. What chance takes or adds counts as not emitted, or
+// as emitted, so that the ledger closes.
+void PhotonTree::send_on(const LightVertex& photon, const Arrival& arrival, const Interaction& event,
+                         DividedFlux flux) {
+  const Depth& depth = photon.path.depth;
+  const WaysOn ways = branches_.choose({photon.share, photon.least, photon.index, depth}, flux);
+  const std::array<const Branch*, 2> branches{&event.reflect, &event.transmit};
+  for (std::size_t way = 0; way < 2; ++way) {
+    if (!branches[way]->exists) continue;
+    const Rgb sent = flux[way] * ways.factor[way];
+    if (branches_.follow_every_way()) {
+      ledger_.truncated += flux[way] - sent;
+    } else if (ways.factor[way] != 1) {
+      ledger_.emitted += sent - flux[way];
+    }
+    if (is_black(sent)) continue;
+    if (scene_.within_depth(depth.after(branches[way]->lobe))) {
+      send(photon, arrival, *branches[way], sent, ways.share[way]);
+    } else {
+      ledger_.truncated += sent;
+    }
   }
+}
+
+void PhotonTree::send(const LightVertex& from, const Arrival& arrival, const Branch& branch, Rgb flux, double share) {
   LightVertex& next = pending_.emplace_back(from);
   next.path.ray = {arrival.hit.point, branch.direction};
   next.path.departures = branch.departures;
   next.path.media = branch.media;
   next.path.weight = flux;
-  next.path.depth = depth;
+  next.path.depth = from.path.depth.after(branch.lobe);
+  next.share = share;
   next.signature = extended(scene_, from.signature, arrival,
                             branch.lobe == Lobe::transmission ? PathStep::transmit : PathStep::reflect);
 }

@@ -91,9 +91,10 @@ PhotonBlock trace_photons(const PhotonPass& pass, const Chart& chart, Stream str
   block.photons.reserve(count);
   const Stream lots = within(stream, static_cast<std::uint64_t>(Purpose::kPhotonRoughness));
   const BandCombs combs(pass.scene, chart, stream);
+  const PhotonBranches branches = pass.scene.settings.branch_share == 0 ? PhotonBranches() : PhotonBranches(lots);
   const StartMedia media(pass);
   if (strategy == Strategy::automatic && PhotonWave::suits(pass.scene)) {
-    PhotonWave wave(pass, chart.target, lots, combs, block);
+    PhotonWave wave(pass, chart.target, lots, combs, branches, block);
     emit_block(chart, stream, first, count, [&](const EmissionColumns& columns, std::uint32_t index) {
       for (std::size_t i = 0; i < columns.count; ++i) {
         const Rgb power = power_of(columns, i);
@@ -107,7 +108,7 @@ PhotonBlock trace_photons(const PhotonPass& pass, const Chart& chart, Stream str
     wave.finish();
   } else {
     PhotonStore store(pass.frame, block);
-    PhotonTree tree(pass, chart.target, lots, store, block.ledger, combs);
+    PhotonTree tree(pass, chart.target, lots, store, block.ledger, combs, branches);
     emit_block(chart, stream, first, count, [&](const EmissionColumns& columns, std::uint32_t index) {
       for (std::size_t i = 0; i < columns.count; ++i) {
         const Rgb power = power_of(columns, i);

@@ -9,8 +9,8 @@
 
 namespace vitrail {
 
-/// A branch below this share of the photon's power where it began is cut off and counted as truncated. At a face
-/// without absorption the first cut loses less than 1e-4 of the photon; what is lost in all stands in the ledger.
+/// A branch below this share of the photon's power where it began lives by chance. Where every branch is followed it is
+/// cut off and counted as truncated.
 inline constexpr double kLeastPhotonShare = 1e-4;
 
 /// What one block of photons leaves behind.
@@ -43,9 +43,10 @@ struct PhotonPass : World {
 /// and agree to rounding.
 enum class Strategy { automatic, tree };
 
-/// Emit photons first .. first + count of a chart with a scrambling, and follow each through every branch: reflected
-/// and refracted light both go on, in exact shares, so the ledger closes photon by photon and there is no roulette
-/// noise. A photon is stored on every surface that can be diffuse, after at least one specular bounce [S section 4].
+/// Emit photons first .. first + count of a chart with a scrambling, and follow each through its branches: reflected
+/// and refracted light both go on, in exact shares, while they carry much of the photon; of weaker branches some by
+/// chance, as PhotonBranches says. The ledger closes photon by photon. A photon is stored on every surface that can be
+/// diffuse, after at least one specular bounce [S section 4].
 PhotonBlock trace_photons(const PhotonPass& pass, const Chart& chart, Stream stream, std::uint64_t first,
                           std::uint64_t count, Strategy strategy = Strategy::automatic);
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "material/branch_choice.h"
 #include "material/roughen.h"
-#include "render/branch_choice.h"
 #include "render/camera_ledger.h"
 #include "render/film.h"
 #include "render/indirect_light.h"

@@ -50,12 +50,12 @@ class PathStates {
   std::size_t size() const { return size_; }
   void clear() { size_ = 0; }
 
-  /// `least`: W; a branch below this is cut off.
+  /// `least`: W; a branch below this lives by chance, or is cut off. The share is 1.
   void add(Vec3 origin, Vec3 direction, Rgb flux, double least, HitId departed, const DiscreteState& state) {
     if (size_ == room_) grow();
     double* value = values_.data() + size_;
     for (const double v :
-         {origin.x, origin.y, origin.z, direction.x, direction.y, direction.z, flux.r, flux.g, flux.b, least}) {
+         {origin.x, origin.y, origin.z, direction.x, direction.y, direction.z, flux.r, flux.g, flux.b, least, 1.0}) {
       *value = v;
       value += room_;
     }
@@ -74,6 +74,7 @@ class PathStates {
   double* direction(int axis) { return column(3 + axis); }
   double* flux_column(int channel) { return column(6 + channel); }
   double* least_column() { return column(9); }
+  double* share_column() { return column(10); }
   std::int64_t* departed() { return departed_.data(); }
   DiscreteState* states() { return states_.data(); }
 
@@ -89,10 +90,12 @@ class PathStates {
   }
   Rgb flux(std::size_t i) const { return {column(6)[i], column(7)[i], column(8)[i]}; }
   double least(std::size_t i) const { return column(9)[i]; }
+  /// Of the photon that left the light, by how it divided at faces.
+  double share(std::size_t i) const { return column(10)[i]; }
   const DiscreteState& state(std::size_t i) const { return states_[i]; }
 
  private:
-  static constexpr std::size_t kColumns = 10;
+  static constexpr std::size_t kColumns = 11;
 
   double* column(int c) { return values_.data() + static_cast<std::size_t>(c) * room_; }
   const double* column(int c) const { return values_.data() + static_cast<std::size_t>(c) * room_; }

@@ -26,20 +26,21 @@ bool PhotonWave::suits(const Scene& scene) {
 }
 
 PhotonWave::PhotonWave(const PhotonPass& pass, std::uint32_t target, Stream stream, const BandCombs& combs,
-                       PhotonBlock& block)
+                       const PhotonBranches& branches, PhotonBlock& block)
     : pass_(pass),
       scene_(pass.scene),
       target_(static_cast<std::int32_t>(target)),
       block_(block),
       objects_(pass.scene),
       store_(pass.frame, block),
-      tree_(pass, target, stream, store_, block.ledger, combs),
+      tree_(pass, target, stream, store_, block.ledger, combs, branches),
       met_(4 * pass.scene.objects.size()),
       rays_(std::make_unique<RayChunk>()),
       group_(std::make_unique<Group>()),
       lanes_(std::make_unique<DielectricLanes>()),
       lots_(stream),
       combs_(combs),
+      branches_(branches),
       samples_(std::make_unique<RoughSamples>()),
       facets_(std::make_unique<FacetLanes>()) {
   for (std::uint32_t i = 0; i < scene_.objects.size(); ++i) {
@@ -137,7 +138,7 @@ void PhotonWave::escape(std::size_t lane) {
 void PhotonWave::follow_generally(std::size_t lane) {
   const DiscreteState& state = now_.state(lane);
   const HitId departed = HitId::of_lane(now_.departed()[lane]);
-  LightVertex photon{.least = now_.least(lane), .index = state.index};
+  LightVertex photon{.least = now_.least(lane), .share = now_.share(lane), .index = state.index};
   PathState& path = photon.path;
   path.ray = now_.ray(lane);
   if (departed.object != kNoObject) {

@@ -2,11 +2,12 @@
 /// The fast strategy: many photons at once, in small scenes where a photon is in air or in one glass. Photons in any
 /// other situation (coincident faces, nested glass) go to PhotonTree one by one.
 ///
-/// For readers of pbrt: this is wavefront path tracing with exact splitting in place of Russian roulette. `now_` is the
-/// ray queue. One `step` intersects up to 256 of its rays with every object, then sorts them into groups by what they
-/// met; `arrive` handles one group: it finds points and normals, refracts all its rays, divides the flux by Fresnel,
-/// stores what is diffuse, and appends reflected and refracted rays to `next_`. The two queues are swapped until no ray
-/// is left. All quantities are columns of doubles, so each of these stages is a loop that becomes vector instructions.
+/// For readers of pbrt: this is wavefront path tracing with exact splitting, and Russian roulette for weak branches.
+/// `now_` is the ray queue. One `step` intersects up to 256 of its rays with every object, then sorts them into groups
+/// by what they met; `arrive` handles one group: it finds points and normals, refracts all its rays, divides the flux
+/// by Fresnel, stores what is diffuse, and appends reflected and refracted rays to `next_`. The two queues are swapped
+/// until no ray is left. All quantities are columns of doubles, so each of these stages is a loop that becomes vector
+/// instructions.
 
 #include <memory>
 #include <vector>
@@ -22,7 +23,8 @@ class PhotonWave {
  public:
   static bool suits(const Scene& scene);
 
-  PhotonWave(const PhotonPass& pass, std::uint32_t target, Stream stream, const BandCombs& combs, PhotonBlock& block);
+  PhotonWave(const PhotonPass& pass, std::uint32_t target, Stream stream, const BandCombs& combs,
+             const PhotonBranches& branches, PhotonBlock& block);
 
   /// Take a photon as it leaves the light, in air or inside `media`; `index` of the photon in its chart.
   void add(const Ray& ray, Rgb flux, std::uint32_t index);
@@ -60,8 +62,13 @@ class PhotonWave {
     std::array<DielectricLanes::Column, 3>* direction = nullptr;
     std::array<DielectricLanes::Column, 3> flux;
     std::array<Lobe, RayChunk::kCapacity> lobe;
+    DielectricLanes::Column share;  // of the photon that left the light
+    bool goes_on = false;
 
     Rgb flux_of(std::size_t i) const { return {flux[0][i], flux[1][i], flux[2][i]}; }
+    void set_flux(std::size_t i, Rgb now) {
+      for (int c = 0; c < 3; ++c) flux[c][i] = now[c];
+    }
   };
 
   // Those of a part that go on.
@@ -90,6 +97,7 @@ class PhotonWave {
   bool follow_facets(const Group& group, Part& part, bool bent, std::size_t i);
   void store(const Group& group, std::size_t i);
   void end(const Group& group);
+  void choose_ways(const Group& group);
   void choose_survivors(const Group& group, const Part& part, Survivors& survivors);
   void send(const Group& group, const Part& part);
 
@@ -111,6 +119,7 @@ class PhotonWave {
   Part mirrored_, refracted_;
   Stream lots_;  // for rough faces
   BandCombs combs_;
+  PhotonBranches branches_;
   std::unique_ptr<RoughSamples> samples_;
   std::unique_ptr<FacetLanes> facets_;
   bool any_total_ = false;                                         // among the facets that were met last

@@ -127,12 +127,16 @@ void PhotonWave::divide(const Group& group) {
   const Face& face = face_of(group);
   find_lobes(group);
   if (face.rough) draw(group);
+  mirrored_.goes_on = refracted_.goes_on = false;
   if (face.rough && std::holds_alternative<Ggx>(face.material->roughness)) {
     divide_at_facets(group);
   } else {
     divide_at_plane(group);
   }
   end(group);
+  choose_ways(group);
+  if (mirrored_.goes_on) send(group, mirrored_);
+  if (refracted_.goes_on) send(group, refracted_);
 }
 
 // Divide as `interact` does: a fixed share each way, or the pool by Fresnel; all of the pool where the reflection is
@@ -169,12 +173,12 @@ void PhotonWave::divide_at_plane(const Group& group) {
     reflect(lanes);
     mirrored_.direction = &lanes.mirrored;
     if (face.rough) deflect_part(group, mirrored_, 1);
-    send(group, mirrored_);
+    mirrored_.goes_on = true;
   }
   if (glass) {
     refracted_.direction = &lanes.refracted;
     if (face.rough) deflect_part(group, refracted_, -1);
-    send(group, refracted_);
+    refracted_.goes_on = true;
   }
 }
 
@@ -199,18 +203,36 @@ void PhotonWave::end(const Group& group) {
   block_.ledger.absorbed += absorbed;
 }
 
-// Choose the branches with enough flux and depth left; the others are truncated.
+// Leave weak ways to chance, as PhotonTree does.
+void PhotonWave::choose_ways(const Group& group) {
+  Rgb by_chance, truncated;
+  for (std::size_t i = 0; i < group.count; ++i) {
+    const std::size_t lane = group.lane[i];
+    const DiscreteState& state = now_.state(lane);
+    const DividedFlux flux{mirrored_.flux_of(i), refracted_.flux_of(i)};
+    const WaysOn ways = branches_.choose({now_.share(lane), now_.least(lane), state.index, state.depth()}, flux);
+    mirrored_.share[i] = ways.share[0];
+    refracted_.share[i] = ways.share[1];
+    if (ways.factor[0] == 1 && ways.factor[1] == 1) continue;
+    for (std::size_t way = 0; way < 2; ++way) {
+      const Rgb sent = flux[way] * ways.factor[way];
+      (way == 0 ? mirrored_ : refracted_).set_flux(i, sent);
+      (branches_.follow_every_way() ? truncated : by_chance) += sent - flux[way];
+    }
+  }
+  block_.ledger.emitted += by_chance;
+  block_.ledger.truncated = block_.ledger.truncated - truncated;
+}
+
+// Choose the branches with flux and depth left; what is too deep is truncated.
 void PhotonWave::choose_survivors(const Group& group, const Part& part, Survivors& survivors) {
-  const double* const least = std::as_const(now_).least_column();
   survivors.count = 0;
   for (std::size_t i = 0; i < group.count; ++i) {
-    const Rgb share = part.flux_of(i);
-    const double largest = largest_channel(share);
-    const Depth depth = now_.state(group.lane[i]).depth().after(part.lobe[i]);
-    const bool goes_on = largest >= least[group.lane[i]] && scene_.within_depth(depth);
+    const Rgb flux = part.flux_of(i);
+    const bool goes_on = scene_.within_depth(now_.state(group.lane[i]).depth().after(part.lobe[i]));
     survivors.lane[survivors.count] = static_cast<std::uint16_t>(i);
-    survivors.count += goes_on && largest > 0;
-    if (!goes_on) block_.ledger.truncated += share;
+    survivors.count += goes_on && largest_channel(flux) > 0;
+    if (!goes_on) block_.ledger.truncated += flux;
   }
 }
 
@@ -239,6 +261,7 @@ void PhotonWave::send(const Group& group, const Part& part) {
     state.departed_face = group.face[i];
     state.band = group.band[i];
     next_.least_column()[first + k] = least[from];
+    next_.share_column()[first + k] = part.share[i];
     next_.departed()[first + k] = HitId{group.met.object, group.met.entering == passes}.lane();
     next_.states()[first + k] = state;
   }

@@ -48,11 +48,11 @@ void PhotonWave::divide_at_facets(const Group& group) {
   refracted_.direction = &facets.at.refracted;
   if (face.mirrors || face.material->fresnel || any_total_) {
     let_leave(group, mirrored_, false);
-    send(group, mirrored_);
+    mirrored_.goes_on = true;
   }
   if (!face.transmits) return;
   let_leave(group, refracted_, true);
-  send(group, refracted_);
+  refracted_.goes_on = true;
 }
 
 // What each part carries away from its first facet. At a facet of total reflection both go back.

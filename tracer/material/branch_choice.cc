@@ -1,4 +1,4 @@
-#include "render/branch_choice.h"
+#include "material/branch_choice.h"
 
 #include <algorithm>
 

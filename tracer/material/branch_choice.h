@@ -1,20 +1,20 @@
 #pragma once
-/// Which ways a camera path takes where light divides: all that matter, and by chance one of those that do not
-/// (Russian roulette).
+/// Which ways a path takes where light divides: all that matter, and by chance one of those that do not (Russian
+/// roulette).
 
 #include <array>
 
 namespace vitrail {
 
-/// What each of two ways on carries, as a share of the look; 0 for a way that does not exist.
+/// What each of two ways on carries, as a share of the look or photon; 0 for a way that does not exist.
 using CarriedShares = std::array<double, 2>;
 
 /// What each way counts for: 1 where it is followed in any case, more where it stands for what chance left out, 0 where
 /// it is left out. The mean over chance is 1: nothing is lost and nothing added.
 using BranchFactors = std::array<double, 2>;
 
-/// The least share that is followed in any case. It grows with the rays that the look has taken, so that a pile of
-/// panes, whose branches double at each face, ends within some hundred rays.
+/// The least share of a look that is followed in any case. It grows with the rays that the look has taken, so that a
+/// pile of panes, whose branches double at each face, ends within some hundred rays.
 double least_share(double branch_share, double rays);
 
 /// Whether some way is below the least share.
