@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 from scipy.special import ndtr
 
-from tests.metrics.synthetic import patch_of, value_of
+from tests.metrics.synthetic import noisy, patch_of, value_of
 from vitrail.metrics.measurement import Context, MetricError
-from vitrail.metrics.roughness import blur, contrast
+from vitrail.metrics.roughness import blur, blur_near, contrast, contrast_near
 from vitrail.metrics.shadow import penumbra
 
 CELL = 2 / 64
@@ -58,11 +58,49 @@ def test_no_edge_is_an_error():
 
 
 def test_contrast_of_a_sine():
-    waves = patch_of(lambda u, v: 1 + 0.5 * np.sin(2 * np.pi * 2 * u) + 0 * v)
-    # A sine of amplitude a about 1 has a standard deviation of a / sqrt(2); the average over a cell takes off 0.6 %.
-    assert value_of(contrast(waves, None, CONTEXT), "contrast") == pytest.approx(0.5 / np.sqrt(2), rel=1e-2)
-    half = patch_of(lambda u, v: 3 + 0.75 * np.sin(2 * np.pi * 2 * u) + 0 * v)
+    waves = patch_of(lambda u, v: 1 + 0.9 * np.sin(2 * np.pi * u / 2) + 0 * v)
+    # A sine of amplitude a about 1 has a standard deviation of a / sqrt(2); the mean of a sixteenth takes off 0.6 %.
+    assert value_of(contrast(waves, None, CONTEXT), "contrast") == pytest.approx(0.9 / np.sqrt(2), rel=1e-2)
+    half = patch_of(lambda u, v: 3 + 1.35 * np.sin(2 * np.pi * u / 2) + 0 * v)
     assert value_of(contrast(half, waves, CONTEXT), "contrast_ratio") == pytest.approx(0.5, rel=1e-9)
+
+
+def test_little_contrast_is_compared_as_a_difference():
+    """Behind rough glass 2 % are left: twice as much is 2 % of full contrast, and no deviation by a factor of two."""
+    faint, fainter = (patch_of(lambda u, v, a=a: 1 + a * np.sin(np.pi * u) + 0 * v) for a in (0.04, 0.02))
+    (found,) = contrast(faint, fainter, CONTEXT)
+    assert (found.metric, found.ideal) == ("contrast_shift", 0.0)
+    assert found.value == pytest.approx(0.02 / np.sqrt(2), rel=1e-2)
+
+
+def test_noise_does_not_change_the_form_of_a_comparison():
+    """A reference on the limit of contrast, and one on the limit of sharpness: near images keep the form of theirs."""
+    high, low = (patch_of(lambda u, v, a=a: 1 + a * np.sin(np.pi * u) + 0 * v) for a in (0.712, 0.711))
+    assert value_of(contrast(high, high, CONTEXT), "contrast_ratio") == 1
+    assert value_of(contrast(low, low, CONTEXT), "contrast_shift") == 0
+    assert value_of(contrast_near(high, high, CONTEXT)(low, low, CONTEXT), "contrast_ratio") == 1
+    assert value_of(contrast_near(low, low, CONTEXT)(high, high, CONTEXT), "contrast_shift") == 0
+    sharp, soft = (patch_of(lambda u, v, s=s: ndtr(u / s) + 0 * v) for s in (1e-6, 0.3 * CELL))
+    assert value_of(blur_near(soft, soft, CONTEXT)(sharp, soft, CONTEXT), "blur_ratio") < 0.1
+    assert value_of(blur_near(soft, sharp, CONTEXT)(soft, soft, CONTEXT), "blur_shift") == 0
+
+
+def test_grain_on_a_flank_does_not_cut_an_edge_in_two():
+    """A wide edge in noise of a hundredth of its step: every picture of it shows the same blur to 3 %."""
+    wide = blurred(0.2)
+    found = [value_of(blur(noisy(wide, 0.08, seed), None, CONTEXT), "blur") for seed in range(20)]
+    assert np.std(found) < 0.03 * 0.2 and np.mean(found) == pytest.approx(0.2, rel=0.02)
+
+
+def test_an_edge_in_noise_as_large_is_none():
+    with pytest.raises(MetricError, match="stands out of its noise"):
+        blur(noisy(blurred(0.2, dark=0.5, lit=0.51), 0.2, 1), None, CONTEXT)
+
+
+def test_blur_past_the_patch_is_left_to_contrast():
+    """Of an edge as wide as the patch neither end is seen: its height and its width are not told apart."""
+    with pytest.raises(MetricError, match="reaches past"):
+        blur(blurred(0.8), None, CONTEXT)
 
 
 def test_a_linear_penumbra():

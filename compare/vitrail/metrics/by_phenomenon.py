@@ -26,7 +26,7 @@ from vitrail.metrics.indirect import indirect_light
 from vitrail.metrics.measurement import Context, Measurement, MetricError, PatchMetric
 from vitrail.metrics.noise import with_interval
 from vitrail.metrics.radiance import mean_radiance
-from vitrail.metrics.roughness import blur, contrast
+from vitrail.metrics.roughness import blur, blur_near, contrast, contrast_near
 from vitrail.metrics.shadow import penumbra
 from vitrail.metrics.transmission import chromaticity_shift, colour_difference, transmittance
 
@@ -56,10 +56,12 @@ BY_PHENOMENON: Mapping[Phenomenon, tuple[PatchMetric, ...]] = {
 
 
 NEAR: Mapping[PatchMetric, Callable[[PatchSamples, PatchSamples | None, Context], PatchMetric]] = {
+    blur: blur_near,
     caustic_radii: caustic_radii_near,
+    contrast: contrast_near,
     displacement: displacement_near,
 }
-"""Metrics that are slow, and what gives their numbers faster for images that differ little from these."""
+"""What gives the numbers of a metric for images that differ little from these: faster, or the same of two forms."""
 
 
 def measure(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from dataclasses import dataclass
 
 import numpy as np
@@ -17,24 +18,42 @@ LEAST_CONTRAST = 1e-3
 PLATEAU_SHARE = 0.15
 """The share of a profile at each end that is taken as plateau where the shape of the edge is not known."""
 
+STEEP, CALM = 0.25, 0.1
+"""Of the steepest slope: what an edge has somewhere, and what it has everywhere. Noise on a flank that passes one limit
+twice would make two edges of one."""
+
+LOUD = 6.0
+"""Standard deviations of the slopes of noise that make no edge, because a wrong one would cut the right one short."""
+
+WIDEST = 1 / 8
+"""Of a profile, what is smoothed at most to see an edge in its noise."""
+
 
 @dataclass(frozen=True)
 class Edge:
-    """An edge blurred by a Gaussian; ``sigma_m`` is 0 for a sharp one, ``before`` is at smaller positions."""
+    """An edge blurred by a Gaussian; ``sigma_m`` is 0 for a sharp one, ``before`` is at smaller positions.
+
+    ``from_m`` and ``to_m`` are the ends of the part of the profile that it was fitted to.
+    """
 
     position_m: float
     sigma_m: float
     before: float
     after: float
+    from_m: float
+    to_m: float
 
 
-def fit_edge(x_m: np.ndarray, values: np.ndarray, cell_m: float, near_m: float = 0.0) -> Edge:
+def fit_edge(
+    x_m: np.ndarray, values: np.ndarray, cell_m: float, near_m: float = 0.0, *, noise: np.ndarray | None = None
+) -> Edge:
     """The edge nearest to ``near_m``, by least squares of a blurred step averaged over each cell.
 
     Cells are averages, and the model is averaged alike, so a sharp edge between two cell centres is found where it is
-    and with sigma 0. A periodic pattern is cut half-way to the neighbouring edges. Raises MetricError without an edge.
+    and with sigma 0. A periodic pattern is cut half-way to the neighbouring edges. ``noise`` is one realisation of what
+    makes edges that are none. Raises MetricError without an edge.
     """
-    window = _one_edge(x_m, values, near_m)
+    window = _one_edge(x_m, values, near_m, noise)
     x, y = x_m[window], values[window]
     low, high = float(y[0]), float(y[-1])
     # Start where the step is steepest, and with a blur that has the height and the slope of the data.
@@ -56,7 +75,7 @@ def fit_edge(x_m: np.ndarray, values: np.ndarray, cell_m: float, near_m: float =
     start = np.array([x[steepest], max(sigma, 0.3 * cell_m), low, high])
     scale = np.array([reach, reach, abs(high - low), abs(high - low)])
     found = least_squares(misfit, start, slopes, method="lm", x_scale=scale, xtol=1e-12, ftol=1e-12, gtol=1e-12).x
-    return Edge(float(found[0]), float(abs(found[1])), float(found[2]), float(found[3]))
+    return Edge(float(found[0]), float(abs(found[1])), float(found[2]), float(found[3]), float(x[0]), float(x[-1]))
 
 
 def _blurred_step(x: np.ndarray, sigma: float, cell: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -73,30 +92,39 @@ def _blurred_step(x: np.ndarray, sigma: float, cell: float) -> tuple[np.ndarray,
     return mean, by_place, by_width
 
 
-def _one_edge(x_m: np.ndarray, values: np.ndarray, near_m: float) -> slice:
+def _one_edge(x_m: np.ndarray, values: np.ndarray, near_m: float, noise: np.ndarray | None) -> slice:
     """The part of the profile that holds one edge only: between the middles of the plateaus to either side of it."""
-    peak = float(np.abs(values).max())
-    smooth = gaussian_filter1d(values, 1.0, mode="nearest")
-    slope = np.gradient(smooth)
-    step = float(smooth.max() - smooth.min())
-    if values.size < 5 or not step > LEAST_CONTRAST * peak:
-        raise MetricError("no edge in the profile; put the patch across an edge of the pattern")
-    # Edges are the runs of steep slope of one sign; take the run nearest to where it was asked for.
-    steep = np.abs(slope) > 0.25 * np.abs(slope).max()
-    signs = np.where(steep, np.sign(slope), 0)
-    starts = np.flatnonzero((signs != 0) & (np.concatenate([[0], signs[:-1]]) != signs))
-    runs = []
-    for start in starts:
-        stop = start
-        while stop + 1 < signs.size and signs[stop + 1] == signs[start]:
-            stop += 1
-        runs.append((start, stop))
+    slope = _slope(values, noise)
+    # Edges are the runs of slope of one sign that are steep somewhere; take the one nearest to where it was asked for.
+    most = np.abs(slope).max()
+    signs = np.where(np.abs(slope) > CALM * most, np.sign(slope), 0)
+    ends = np.flatnonzero(np.diff(signs, prepend=0, append=0))
+    runs = [
+        (start, stop - 1)
+        for start, stop in itertools.pairwise(ends)
+        if signs[start] != 0 and np.abs(slope[start:stop]).max() > STEEP * most
+    ]
     middles = np.array([x_m[a : b + 1].mean() for a, b in runs])
     chosen = int(np.argmin(np.abs(middles - near_m)))
     # A plateau ends half-way to the next run; at the ends of the profile it goes on to the end.
     left = 0 if chosen == 0 else (runs[chosen - 1][1] + runs[chosen][0] + 1) // 2
     right = values.size if chosen == len(runs) - 1 else (runs[chosen][1] + runs[chosen + 1][0] + 1) // 2
     return slice(int(left), int(right)) if right - left >= 5 else slice(0, values.size)
+
+
+def _slope(values: np.ndarray, noise: np.ndarray | None) -> np.ndarray:
+    """The slope of a profile, smoothed over a cell, or over so many that noise makes no edge. Raises MetricError."""
+    width = 1.0
+    while values.size >= 5 and width <= max(1.0, WIDEST * values.size):
+        smooth = gaussian_filter1d(values, width, mode="nearest")
+        slope: np.ndarray = np.gradient(smooth)
+        if not float(np.ptp(smooth)) > LEAST_CONTRAST * float(np.abs(values).max()):
+            break
+        grain = 0.0 if noise is None else np.gradient(gaussian_filter1d(noise, width, mode="nearest")).std()
+        if LOUD * grain <= STEEP * np.abs(slope).max():
+            return slope
+        width *= 2
+    raise MetricError("no edge in the profile stands out of its noise; put the patch across an edge of the pattern")
 
 
 @dataclass(frozen=True)

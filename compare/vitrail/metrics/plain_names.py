@@ -100,6 +100,7 @@ PLAIN_NAMES: Mapping[str, PlainName] = {
     "blur_shift": PlainName("blur", Measure.LENGTH),
     "contrast": _CONTRAST,
     "contrast_ratio": _CONTRAST,
+    "contrast_shift": PlainName("contrast", Measure.OF_LIGHT),
     "penumbra_width": _PENUMBRA,
     "penumbra_difference": PlainName("penumbra", Measure.LENGTH),
     "shadow_edge": PlainName("edge", Measure.LENGTH),
