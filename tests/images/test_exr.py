@@ -1,8 +1,10 @@
 """Images keep every layer to the last bit, and a file that cannot be trusted says so."""
 
 import numpy as np
+import OpenImageIO as oiio
 import pytest
 
+from vitrail.images import exr
 from vitrail.images.exr import ImageError, read_image, write_image, write_png
 
 
@@ -104,3 +106,38 @@ def test_a_layer_of_another_size_is_not_written(tmp_path, picture):
         write_image(tmp_path / "a.exr", picture, layers={"caustic": picture[:-1]})
     with pytest.raises(ImageError, match="cannot be written"):
         write_image(tmp_path / "nowhere" / "a.exr", picture)
+
+
+def with_header(path, picture, key: str, value) -> None:
+    height, width = picture.shape[:2]
+    spec = oiio.ImageSpec(width, height, 3, oiio.FLOAT)
+    spec.attribute(key, "float[8]", value)
+    target = oiio.ImageOutput.create(str(path))
+    target.open(str(path), spec)
+    target.write_image(np.ascontiguousarray(picture, np.float32))
+    target.close()
+
+
+def test_other_primaries_are_refused_and_those_of_rec_709_are_not(tmp_path, picture):
+    aces = (0.713, 0.293, 0.165, 0.83, 0.128, 0.044, 0.32168, 0.33767)
+    with_header(tmp_path / "aces.exr", picture, "chromaticities", aces)
+    with pytest.raises(ImageError, match="has the primaries 0.713.*convert it to linear Rec. 709"):
+        read_image(tmp_path / "aces.exr")
+    with_header(tmp_path / "own.exr", picture, "chromaticities", (0.64, 0.33, 0.3, 0.6, 0.15, 0.06, 0.3127, 0.329))
+    np.testing.assert_allclose(read_image(tmp_path / "own.exr").radiance, picture, rtol=1e-6)
+
+
+def test_an_image_larger_than_any_memory_is_refused_by_its_header(tmp_path, picture, monkeypatch):
+    write_image(tmp_path / "large.exr", picture)
+    monkeypatch.setattr(exr, "MOST_NUMBERS", picture.size - 1)
+    with pytest.raises(ImageError, match="announces 11 x 7 pixels of 3 channels"):
+        read_image(tmp_path / "large.exr")
+
+
+def test_integers_are_called_by_their_size(tmp_path):
+    spec = oiio.ImageSpec(4, 4, 3, oiio.UINT32)
+    target = oiio.ImageOutput.create(str(tmp_path / "whole.exr"))
+    target.open(str(tmp_path / "whole.exr"), spec)
+    target.write_image(np.ones((4, 4, 3), np.uint32))
+    target.close()
+    assert read_image(tmp_path / "whole.exr").pixel_type == "uint32"

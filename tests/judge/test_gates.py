@@ -32,7 +32,7 @@ def failures(*images: Inspected) -> list[tuple[str, str]]:
 
 def test_good_images_pass() -> None:
     assert failures(good(), good("povray")) == []
-    assert len(check_gates(4, 3, HASH, [good(), good("povray")])) == 15
+    assert len(check_gates(4, 3, HASH, [good(), good("povray")])) == 17
 
 
 def test_the_first_bad_pixel_is_named() -> None:
@@ -82,3 +82,20 @@ def test_a_picture_that_is_exposed_without_saying_so_is_no_finding() -> None:
     # A few per cent may be a finding, and so is whatever is not the same everywhere.
     assert gate_same_exposure(dim, good("reference", radiance=1.05 * ramp)).passed
     assert gate_same_exposure(dim, good("reference", radiance=2 * ramp + 0.01)).passed
+
+
+def test_halves_that_are_of_another_picture_are_refused_where_they_differ() -> None:
+    ones = np.ones((3, 4, 3))
+    noisy = ones + np.random.default_rng(1).uniform(-0.9, 0.9, ones.shape)
+    assert failures(good(halves=(noisy, 2 * ones - noisy))) == []
+    rounded = np.float16(noisy).astype(float), np.float16(2 * ones - noisy).astype(float)
+    assert failures(good(halves=rounded, pixel_type="half")) == []
+    ((gate, message),) = failures(good(halves=(1.2 * ones, 1.1 * ones)))
+    assert (
+        gate == "halves" and "tracer.exr is 1 at pixel x=0 y=0 (channel R) and the mean of its halves 1.15" in message
+    )
+
+
+def test_integers_are_refused_for_what_they_are_and_not_for_being_black() -> None:
+    ((gate, message),) = failures(good(radiance=np.zeros((3, 4, 3)), pixel_type="uint32"))
+    assert gate == "linear" and "holds uint32 pixels; write linear float or half (EXR)" in message

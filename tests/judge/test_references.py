@@ -61,6 +61,13 @@ def test_a_value_comes_with_its_formula_and_its_tolerances(tmp_path: Path) -> No
         ("    other: {flux: {value: 1, formula: f, source: s}}\n", "card has truths for other, which the scene"),
         ("    card: {flux: {value: 1, formula: f}}\n", "card.card.flux: lacks source"),
         ("    card: {flux: {value: high, formula: f, source: s}}\n", "flux.value: is 'high'"),
+        ("    card: {flux: {value: .nan, formula: f, source: s}}\n", "."),
+        (
+            "    card: {flux: {value: 1, formula: f, source: s, tolerance: {relative: -1, reason: r}}}\n",
+            "at or above 0",
+        ),
+        ("    card: {flux: {value: 1, formula: f, source: s, tolerance: {absolute: yes, reason: r}}}\n", "."),
+        ("    card: {flux: {value: 1, formula: f, source: s, tolerance: {absolute: .nan, reason: r}}}\n", "."),
         ("    card: {flux: 3}\n", "flux: is 3; write value"),
         ("    card: {context: {centre: [0, 0]}}\n", "context: knows .*, not {'centre'}"),
         ("    card: {flux: {value: 1, formula: f, source: s, tolerance: {relative: 1}}}\n", "and a `reason`"),

@@ -41,6 +41,7 @@ class FormulaEngine:
     noise: float = 0.0
     noisy: str = ""
     stays_noisy: bool = False
+    warnings: tuple[str, ...] = ()
     script: list[str] = field(default_factory=list)
     spoil: Callable[[np.ndarray], np.ndarray] = field(default=lambda image: image)
     renders: int = 0
@@ -81,6 +82,7 @@ class FormulaEngine:
                 "gather_queries": 100,
             },
             "settings": {"seed": 1},
+            "warnings": list(self.warnings),
         }
         return Rendering(path, record, views)
 

@@ -253,3 +253,16 @@ def test_photons_of_one_engine_that_all_went_astray_are_a_failure() -> None:
     check_photons({"counters": {**tracer["counters"], "photons_stored": 0}}, {"counters": {"photons_emitted": 5000}})
     with pytest.raises(EngineFailure, match="stored none, where the tracer stored 1000 of 10000"):
         check_photons(tracer, {"counters": {"photons_emitted": 5000, "photons_stored": 0}})
+
+
+def test_a_scene_without_light_is_no_failure_of_an_engine(tmp_path: Path, card: Loaded) -> None:
+    results = run(tmp_path, [card], tracer=FormulaEngine("tracer", 0.0), povray=FormulaEngine("povray", 0.0))
+    assert (only(results).status, results.exit_code) == (Status.SCENE_ERROR, 2)
+    assert only(results).message.startswith("no light reaches what the camera sees")
+    results = run(tmp_path / "one", [card], povray=FormulaEngine("povray", 0.0))
+    assert (only(results).status, results.exit_code) == (Status.ENGINE_FAILED, 4)
+
+
+def test_what_an_engine_warns_of_is_a_remark_of_the_scene(tmp_path: Path, card: Loaded) -> None:
+    results = run(tmp_path, [card], tracer=FormulaEngine("tracer", warnings=("light fell between beams",)))
+    assert "tracer: light fell between beams" in only(results).warnings

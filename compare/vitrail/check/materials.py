@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import math
+
 from vitrail.check.findings import Findings
 from vitrail.optics.dispersion import index_step, ior_position
 from vitrail.optics.glass import abbe_index
+from vitrail.scene.absorption import absorption_per_m
 from vitrail.scene.model import Abbe, Material, Paper
 
 _SHORTEST_NM, _LONGEST_NM = 380.0, 730.0
@@ -19,9 +22,17 @@ def check_materials(findings: Findings) -> None:
         if lowest is not None and lowest <= 0:
             what = f"its dispersion brings the refraction index of `{name}` down to {lowest:.4g}"
             findings.error(what, "an index is above 0; lower the dispersion", "materials", name, "dispersion")
+        _check_absorption(findings, name, material)
         _check_idle_settings(findings, name, material)
         if name not in used:
             findings.warning(f"no object uses the material `{name}`", "remove it or use it", "materials", name)
+
+
+def _check_absorption(findings: Findings, name: str, material: Material) -> None:
+    """A distance next to nothing asks for an absorption that no number holds."""
+    if material.attenuation is not None and not all(math.isfinite(each) for each in absorption_per_m(material)):
+        what = f"a distance of {material.attenuation.distance:g} m makes the absorption of `{name}` infinite"
+        findings.error(what, "make it longer, or the material opaque", "materials", name, "attenuation", "distance")
 
 
 def _check_idle_settings(findings: Findings, name: str, material: Material) -> None:

@@ -24,5 +24,5 @@ def check_meshes(findings: Findings) -> None:
         from vitrail.geometry.mesh_solid import fault_of_solid
 
         if (fault := fault_of_solid(solid)) is not None:
-            what = f"`{file}` {fault}, and `{item.name}` is of glass"
-            findings.error(what, "close the mesh with outward triangles, or take an opaque material", *path)
+            what = f"`{file}` {fault.what}, and `{item.name}` is of glass"
+            findings.error(what, fault.remedy, *path)

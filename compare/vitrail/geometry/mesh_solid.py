@@ -7,8 +7,11 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
+from vitrail.base.fault import Fault
 from vitrail.geometry.mesh_file import Triangles
 from vitrail.geometry.mesh_shadow import Shadow
 
@@ -18,6 +21,8 @@ HAIR = 1e-6
 """Share of its size by which a point stands off a face, to be on one side of it."""
 TOLD_APART = 0.02
 """Least share of the largest eigenvalue: faces that bend by less than some 16 degrees count as one smooth surface."""
+CLOSE = "close the mesh with outward triangles, or take an opaque material"
+JOIN = "join its parts into one without inner faces, or make an object of each"
 _AT_ONCE = 1 << 18
 
 
@@ -136,23 +141,46 @@ class MeshSolid:
         return Triangles(vertices + outwards_m * steps, self.triangles.faces, self.triangles.normals)
 
 
-def fault_of_solid(mesh: MeshSolid) -> str | None:
+def fault_of_solid(mesh: MeshSolid) -> Fault | None:
     """Why a mesh encloses nothing that glass could fill; None for a closed surface that faces outwards everywhere."""
     if len(mesh.corners) == 0:
-        return "has no triangle with an area"
+        return Fault("has no triangle with an area", CLOSE)
     if (hole := _hole(mesh)) is not None:
         return hole
     if np.einsum("mi,mi->", mesh.corners[:, 0] - mesh.corners[0, 0], _areas(mesh.corners)) <= 0:
-        return "is inside out"
-    outside = mesh.middles[mesh.sample] + HAIR * mesh.size * mesh.normals[mesh.sample]
-    turned = mesh.winding(outside) < 0
-    if turned.any():
-        x, y, z = mesh.middles[mesh.sample[turned.argmax()]]
-        return f"crosses itself and is inside out at [{x:.4g}, {y:.4g}, {z:.4g}]"
+        return Fault("is inside out", CLOSE)
+    return _crossing(mesh)
+
+
+def _crossing(mesh: MeshSolid) -> Fault | None:
+    """Outside every face there must be nothing: no wall that faces inwards, and no other part of the same mesh."""
+    asked = np.union1d(mesh.sample, _a_face_of_each_part(mesh))
+    first, second = (
+        mesh.winding(mesh.middles[asked] + hair * mesh.size * mesh.normals[asked]) for hair in (HAIR, HAIR * 1e-3)
+    )
+    turned, inside = first < 0, (first > 0) & (second > 0)
+    for wrong, what in ((turned, "crosses itself and is inside out"), (inside, "has a part inside another")):
+        if wrong.any():
+            place = _place(mesh.middles[asked[wrong.argmax()]])
+            return Fault(f"{what} at {place}", CLOSE if wrong is turned else JOIN)
     return None
 
 
-def _hole(mesh: MeshSolid) -> str | None:
+def _a_face_of_each_part(mesh: MeshSolid) -> np.ndarray:
+    """Parts are faces that hang together by their corners."""
+    _, vertex = _merged(mesh.corners.reshape(-1, 3))
+    faces = vertex.reshape(-1, 3)
+    pairs = np.concatenate([faces[:, :2], faces[:, 1:]])
+    graph = coo_matrix((np.ones(len(pairs), bool), pairs.T), shape=(vertex.max() + 1,) * 2)
+    part = connected_components(graph, directed=False)[1][faces[:, 0]]
+    return np.unique(part, return_index=True)[1]
+
+
+def _place(point: np.ndarray) -> str:
+    return "[" + ", ".join(f"{each:.4g}" for each in point) + "]"
+
+
+def _hole(mesh: MeshSolid) -> Fault | None:
     """Every edge must be there once in each direction; vertices at one position are one."""
     first, vertex = _merged(mesh.triangles.vertices)
     faces = vertex[mesh.triangles.faces]
@@ -160,9 +188,14 @@ def _hole(mesh: MeshSolid) -> str | None:
     edges = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
     # Sort the edges as numbers: at a million triangles a set of them takes ten times as long.
     there, back = np.sort(edges[:, 0] * len(first) + edges[:, 1]), np.sort(edges[:, 1] * len(first) + edges[:, 0])
-    if (there[1:] == there[:-1]).any():
-        return "has an edge with two triangles on the same side"
-    return None if np.array_equal(there, back) else "has a hole"
+    twice = there[1:] == there[:-1]
+    if twice.any() and np.array_equal(there, back):
+        ends = np.array(divmod(there[twice.argmax()], len(first)))
+        place = _place(mesh.triangles.vertices[first[ends]].mean(axis=0))
+        return Fault(f"has two parts that touch along an edge at {place}", JOIN)
+    if twice.any():
+        return Fault("has an edge with two triangles on the same side", CLOSE)
+    return None if np.array_equal(there, back) else Fault("has a hole", CLOSE)
 
 
 def _merged(vertices: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

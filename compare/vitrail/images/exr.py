@@ -20,6 +20,12 @@ from vitrail.base.fault import Fault
 RESERVED = ("half_a", "half_b", "variance")
 HALF_MAX = 65504.0
 
+REC_709 = (0.64, 0.33, 0.30, 0.60, 0.15, 0.06, 0.3127, 0.3290)
+"""x and y of red, green, blue and white."""
+
+INTEGERS = {"uint": "uint32", "int": "int32"}
+"""What OpenImageIO calls short and everybody else does not."""
+
 MOST_BYTES = 2**32
 """Size of the largest file that is read."""
 
@@ -75,6 +81,7 @@ def read_image(path: str | Path) -> ImageLayers:
         spec = source.spec()
         _refuse_cropped(path, spec)
         _refuse_huge(path, spec)
+        _refuse_other_primaries(path, spec)
         pixels = source.read_image(0, 0, 0, spec.nchannels, oiio.FLOAT)
         if pixels is None:
             raise ImageError(path, f"is damaged or cut off ({source.geterror()})", "write it again")
@@ -92,7 +99,7 @@ def read_image(path: str | Path) -> ImageLayers:
         variance=variance,
         layers=groups,
         metadata={a.name: a.value for a in spec.extra_attribs if isinstance(a.value, str | int | float)},
-        pixel_type=str(spec.format),
+        pixel_type=INTEGERS.get(str(spec.format), str(spec.format)),
     )
 
 
@@ -151,6 +158,14 @@ def _refuse_cropped(path: str | Path, spec: oiio.ImageSpec) -> None:
     full = (spec.full_x, spec.full_y, spec.full_width, spec.full_height)
     if data != full:
         raise ImageError(path, f"holds the window {data} of a picture {full}", "write the whole picture")
+
+
+def _refuse_other_primaries(path: str | Path, spec: oiio.ImageSpec) -> None:
+    """Colours of other primaries have other numbers; a header that says nothing means Rec. 709, as OpenEXR does."""
+    said = spec.get("chromaticities")
+    if said is not None and not np.allclose(np.array(said, float).reshape(-1), REC_709, atol=2e-3):
+        what = f"has the primaries {', '.join(f'{each:.4g}' for each in said)} in its header (chromaticities)"
+        raise ImageError(path, what, "convert it to linear Rec. 709 with the white point D65")
 
 
 def _refuse_huge(path: str | Path, spec: oiio.ImageSpec) -> None:

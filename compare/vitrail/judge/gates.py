@@ -16,6 +16,9 @@ import numpy as np
 from vitrail.judge.records import Gate
 
 COLOUR_CHANNELS = ("R", "G", "B")
+HALVES_ROUND = 4e-3
+"""What an image may differ from the mean of its halves, as a share: each of three is rounded to 11 bits at most."""
+
 LINEAR_PIXELS = ("float", "half", "double")
 
 
@@ -30,6 +33,7 @@ class Inspected:
     channels: tuple[str, ...]
     pixel_type: str
     radiance: np.ndarray | None
+    halves: tuple[np.ndarray, np.ndarray] | None = None
     metadata: Mapping[str, str] = field(default_factory=dict)
 
 
@@ -52,6 +56,7 @@ def _one_image(width: int, height: int, scene_hash: str, image: Inspected) -> li
         gate_channels(image),
         gate_linear(image),
         gate_finite(image),
+        gate_halves(image),
         gate_exposure(image),
         gate_scene(scene_hash, image),
     ]
@@ -87,9 +92,32 @@ def gate_finite(image: Inspected) -> Gate:
     return _gate("finite", image, not len(bad), where)
 
 
+def gate_halves(image: Inspected) -> Gate:
+    """The image is the mean of its halves; where they are of another picture, their noise says nothing of this one."""
+    if image.halves is None or image.radiance is None:
+        return _gate("halves", image, True, "")
+    first, second = image.halves
+    with np.errstate(invalid="ignore"):
+        off = np.abs((first + second) / 2 - image.radiance)
+        size = np.maximum(np.abs(first) + np.abs(second), np.abs(image.radiance))
+    brightest = float(np.max(size, initial=0.0, where=np.isfinite(size)))
+    wrong = np.argwhere(off > HALVES_ROUND * size + HALVES_ROUND**2 * brightest)
+    where = ""
+    if len(wrong):
+        row, column, channel = (int(index) for index in wrong[0])
+        mean = (first[row, column, channel] + second[row, column, channel]) / 2
+        where = (
+            f"is {image.radiance[row, column, channel]:.4g} at pixel x={column} y={row} (channel "
+            f"{COLOUR_CHANNELS[channel]}) and the mean of its halves {mean:.4g}; write their mean, or leave them out"
+        )
+    return _gate("halves", image, not len(wrong), where)
+
+
 def gate_light(image: Inspected) -> Gate:
     """A wholly black image equals any other black image; it has measured nothing."""
-    lit = image.radiance is None or not np.isfinite(image.radiance).all() or bool(np.any(image.radiance != 0))
+    # What an integer file holds has no scale, and another gate says so.
+    radiance = image.radiance if image.pixel_type in LINEAR_PIXELS else None
+    lit = radiance is None or not np.isfinite(radiance).all() or bool(np.any(radiance != 0))
     return _gate("light", image, lit, "is black everywhere")
 
 

@@ -18,6 +18,7 @@ A scene, an observation or a metric that the file names and the run lacks is an 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
 from pathlib import Path
@@ -137,8 +138,8 @@ def _truth(place: str, metric: str, entry: Any) -> Truth:
     if missing:
         raise ReferencesError(f"{place}: lacks {', '.join(missing)}")
     value = entry["value"]
-    if isinstance(value, bool) or not isinstance(value, int | float):
-        raise ReferencesError(f"{place}.value: is {value!r}; write a number")
+    if not _is_finite(value):
+        raise ReferencesError(f"{place}.value: is {value!r}; write a finite number")
     sides = {"any" if key == "tolerance" else key: key for key in entry if key not in ENTRY_KEYS - {"tolerance"}}
     tolerances = {side: _tolerance(f"{place}.{key}", entry[key]) for side, key in sides.items()}
     return Truth(metric, float(value), str(entry["formula"]).strip(), str(entry["source"]).strip(), tolerances)
@@ -149,7 +150,14 @@ def _tolerance(place: str, entry: Any) -> tuple[str, float, str]:
     kinds = [kind for kind in ("relative", "absolute") if isinstance(entry, Mapping) and kind in entry]
     if len(kinds) != 1 or not str(entry.get("reason", "")).strip() or set(entry) - {*kinds, "reason"}:
         raise ReferencesError(f"{place}: a tolerance has one of `relative` or `absolute`, and a `reason`")
-    return kinds[0], float(entry[kinds[0]]), str(entry["reason"]).strip()
+    amount = entry[kinds[0]]
+    if not _is_finite(amount) or amount < 0:
+        raise ReferencesError(f"{place}.{kinds[0]}: is {amount!r}; write a finite number at or above 0")
+    return kinds[0], float(amount), str(entry["reason"]).strip()
+
+
+def _is_finite(value: object) -> bool:
+    return isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)
 
 
 def _context(place: str, entry: Any) -> Context:
