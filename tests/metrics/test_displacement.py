@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.metrics.synthetic import patch_of, value_of
+from tests.metrics.synthetic import noisy, patch_of, value_of
 from vitrail.metrics.displacement import displacement, edge_place
 from vitrail.metrics.measurement import Context, MetricError
 
@@ -128,3 +128,19 @@ def test_noise_is_no_pattern():
         "displacement.u",
         "displacement.v",
     }
+
+
+def test_a_noisy_channel_does_not_blur_what_the_others_show():
+    """Stray photons of a red mirror: red has twenty times the noise of green and blue, and the same pattern."""
+    grain = 0.01 * np.array([20.0, 1.0, 1.0])
+
+    def moves(noise):
+        pairs = [
+            (noisy(checker(du=0.37 * CELL), noise, seed), noisy(checker(), noise, 100 + seed)) for seed in range(8)
+        ]
+        return [value_of(displacement(*pair, CONTEXT), "displacement.u") / CELL for pair in pairs]
+
+    quiet, loud = moves(0.01), moves(grain)
+    # Two quiet channels of three scatter sqrt(3/2) as far; the mean of all would scatter 12 times as far.
+    assert np.std(loud) < 3 * np.std(quiet)
+    assert np.mean(loud) == pytest.approx(0.37, abs=0.01)

@@ -12,10 +12,8 @@ from skimage.registration import phase_cross_correlation
 from vitrail.images.patch import PatchSamples
 from vitrail.metrics.edge import fit_edge
 from vitrail.metrics.measurement import Context, Measurement, MetricError, PatchAxis, PatchMetric
+from vitrail.metrics.pattern import SMOOTHING_CELLS, channel_weights, smooth, stands_out, usable_axes
 from vitrail.metrics.profile import cell_m, profile
-
-SMOOTHING_CELLS = 1.0
-"""Both pictures are blurred this much first: a sharp edge in cells is not band-limited, and a spline cannot move it."""
 
 STEPS = 30
 """Gauss-Newton steps at most; it settles in about six."""
@@ -29,36 +27,22 @@ SLOPE_CELLS = 0.02
 LEAST_GAIN = 1e-9
 """Below it the candidate has nothing of the reference's pattern."""
 
-LEAST_OVER_NOISE = 10.0
-"""Square slopes of pattern and noise over those of the noise: the fit is then linear in the noise to some percent."""
-
 AXES: tuple[tuple[PatchAxis, int], ...] = (("u", 1), ("v", 0))
 """Directions on the patch with their place among rows and columns."""
-
-LEAST_TEXTURE = 1e-3
-"""A direction with less than this share of the other's gradient has no pattern to register."""
-
-LEAST_STEEPNESS = 0.2
-"""Least slope of a pattern, in its mean light per patch: below it the rounding of half floats, .05 % of the light,
-reads as a move of .25 % of the patch, which is the size of the tolerance."""
-
-NOISE_SIGMAS = 3.0
-"""A pattern is there where the square slopes exceed those of the noise by this many standard deviations of theirs."""
-
-CELLS_ALIKE = 4 * np.pi * SMOOTHING_CELLS**2
-"""Cells over which the smoothing makes noise alike: the integral of a Gaussian's square correlation, twice."""
 
 
 def displacement(candidate: PatchSamples, reference: PatchSamples | None, context: Context) -> list[Measurement]:
     """``displacement.u/.v``: how far the candidate's picture lies from the reference's, metres on the patch, ideal 0.
 
-    Brightness and offset are fitted along, so it sees neither exposure nor tint. Directions without a pattern are left
-    out. Raises MetricError on a patch without any pattern. A comparison only; ``edge_place`` is the absolute quantity.
+    Brightness and offset are fitted along, so it sees neither exposure nor tint. Channels weigh as they are quiet: red
+    grain of a few photons does not blur what green and blue show. Directions without a pattern are left out. Raises
+    MetricError on a patch without any pattern. A comparison only; ``edge_place`` is the absolute quantity.
     """
     if reference is None:
         return []
-    usable = _usable(candidate, reference)
-    moved = register(_smooth(candidate), _smooth(reference), usable).moved
+    weights = channel_weights(candidate, reference)
+    usable = usable_axes(candidate, reference, weights)
+    moved = register(smooth(candidate, weights), smooth(reference, weights), usable).moved
     flat = [axis for axis, index in AXES if not usable[index]]
     caveats = tuple(f"along {axis} no pattern stands out, so no move along it is measured" for axis in flat)
     method = "least squares of a cubic-spline shift with gain and offset, started by phase correlation"
@@ -82,15 +66,17 @@ def displacement_near(candidate: PatchSamples, reference: PatchSamples | None, c
     """
     if reference is None:
         return displacement
-    usable = _usable(candidate, reference)
-    if not all(_stands_out(image, index) for image in (candidate, reference) for _, index in AXES if usable[index]):
+    channels = channel_weights(candidate, reference)
+    usable = usable_axes(candidate, reference, channels)
+    pairs = [(image, index) for image in (candidate, reference) for _, index in AXES if usable[index]]
+    if not all(stands_out(image, index, channels) for image, index in pairs):
         return displacement
-    found = register(_smooth(candidate), _smooth(reference), usable)
+    found = register(smooth(candidate, channels), smooth(reference, channels), usable)
     weights = {axis: _influence(found, index) for axis, index in AXES if usable[index]}
 
     def again(ours: PatchSamples, theirs: PatchSamples | None, known: Context) -> list[Measurement]:
         assert theirs is not None
-        change = [(new.values - old.values).mean(axis=-1) for new, old in ((ours, candidate), (theirs, reference))]
+        change = [(new.values - old.values) @ channels for new, old in ((ours, candidate), (theirs, reference))]
         moves = {
             axis: found.moved[index] + sum(float((w * n).sum()) for w, n in zip(weights[axis], change, strict=True))
             for axis, index in AXES
@@ -183,73 +169,6 @@ def _step(
 def _shifted(spline: np.ndarray, moved: np.ndarray) -> np.ndarray:
     shifted: np.ndarray = spline_shift(spline, moved, order=3, mode="nearest", prefilter=False)
     return shifted
-
-
-def _usable(candidate: PatchSamples, reference: PatchSamples) -> np.ndarray:
-    """Which directions (rows, columns) have a pattern. Raises MetricError where none has."""
-    ours, theirs = candidate.values.mean(axis=-1), reference.values.mean(axis=-1)
-    if not np.abs(theirs).max() > 0 or not (found := _has_pattern(reference)).any():
-        raise MetricError("the patch shows no pattern; put a checker where the patch looks")
-    if not np.ptp(ours) > 1e-6 * np.abs(ours).max():
-        raise MetricError("the candidate shows no pattern on the patch; there is nothing to lay on the reference's")
-    return found
-
-
-def _has_pattern(samples: PatchSamples) -> np.ndarray:
-    """For rows and columns: whether the picture has slopes that only a move along that axis explains.
-
-    Gain and offset are fitted along with the move, so even shading places nothing; nor does an edge along its own
-    direction. What noise alone may have made is no pattern.
-    """
-    smooth = _smooth(samples)
-    window = np.outer(np.hanning(smooth.shape[0] + 2)[1:-1], np.hanning(smooth.shape[1] + 2)[1:-1])
-    weight = (window / window.sum()).ravel()
-    slopes = _slopes(smooth)
-    whole = max(float((weight * slope.ravel() ** 2).sum()) for slope in slopes)
-    mean, found = abs(float((weight * smooth.ravel()).sum())), np.zeros(2, dtype=bool)
-    for axis in (0, 1):
-        others = np.stack([smooth.ravel(), np.ones(smooth.size), slopes[1 - axis].ravel()], axis=1)
-        own = _unexplained(slopes[axis], others, weight)
-        clear = own - _square_slope_of_noise(samples, axis, others, weight)
-        steepness = np.sqrt(max(clear, 0.0)) * smooth.shape[axis]
-        found[axis] = clear > LEAST_TEXTURE * whole and steepness > LEAST_STEEPNESS * mean
-    return found
-
-
-def _square_slope_of_noise(samples: PatchSamples, axis: int, others: np.ndarray, weight: np.ndarray) -> float:
-    """The most that noise alone gives to the mean square slope along an axis, within ``NOISE_SIGMAS``."""
-    if samples.noise is None:
-        return 0.0
-    grain = gaussian_filter(samples.noise.mean(axis=-1), SMOOTHING_CELLS)
-    independent = max(1.0 / float((weight**2).sum()) / CELLS_ALIKE, 1.0)
-    mean_square = _unexplained(_slopes(grain)[axis], others, weight)
-    return float(mean_square * (1 + NOISE_SIGMAS * np.sqrt(2 / independent)))
-
-
-def _slopes(picture: np.ndarray) -> list[np.ndarray]:
-    """Light per cell along rows and columns; 0 along an axis of one cell."""
-    return [np.gradient(picture, axis=axis) if picture.shape[axis] > 4 else np.zeros_like(picture) for axis in (0, 1)]
-
-
-def _unexplained(slope: np.ndarray, others: np.ndarray, weight: np.ndarray) -> float:
-    """Weighted mean square of ``slope`` less its best fit by the columns of ``others``."""
-    root = np.sqrt(weight)
-    fitted, *_ = np.linalg.lstsq(others * root[:, None], slope.ravel() * root, rcond=None)
-    return float((weight * (slope.ravel() - others @ fitted) ** 2).sum())
-
-
-def _stands_out(samples: PatchSamples, axis: int) -> bool:
-    """Whether the slopes of the smoothed pattern along an axis are several times those of its noise."""
-    if samples.noise is None:
-        return True
-    grain = gaussian_filter(samples.noise.mean(axis=-1), SMOOTHING_CELLS)
-    whole, noise = (float(np.mean(np.diff(each, axis=axis) ** 2)) for each in (_smooth(samples), grain))
-    return whole >= LEAST_OVER_NOISE * noise
-
-
-def _smooth(samples: PatchSamples) -> np.ndarray:
-    smooth: np.ndarray = gaussian_filter(samples.values.mean(axis=-1), SMOOTHING_CELLS)
-    return smooth
 
 
 def _influence(found: Registration, axis: int) -> tuple[np.ndarray, np.ndarray]:
