@@ -144,3 +144,15 @@ def test_a_noisy_channel_does_not_blur_what_the_others_show():
     # Two quiet channels of three scatter sqrt(3/2) as far; the mean of all would scatter 12 times as far.
     assert np.std(loud) < 3 * np.std(quiet)
     assert np.mean(loud) == pytest.approx(0.37, abs=0.01)
+
+
+def test_a_channel_that_is_nearly_dark_does_not_count():
+    """Behind obsidian blue has a millionth of the light, next to no noise, and comes through other edges."""
+    grain = 0.01 * np.array([1.0, 1.0, 1e-6])
+    bright = np.array([1.0, 1.0, 0.0])
+    images = []
+    for seed, red, blue in ((1, 0.37, 0.9), (2, 0.0, 0.0)):
+        picture = checker(du=red * CELL)
+        values = picture.values * bright + 1e-6 * checker(du=blue * CELL).values * (1 - bright)
+        images.append(noisy(replace(picture, values=values), grain, seed))
+    assert value_of(displacement(*images, CONTEXT), "displacement.u") / CELL == pytest.approx(0.37, abs=0.02)

@@ -25,7 +25,8 @@ NOISE_SIGMAS = 3.0
 """A pattern is there where the square slopes exceed those of the noise by this many standard deviations of theirs."""
 
 ROUNDED = 5e-4
-"""What half floats round, of the light: no channel is quieter."""
+"""What half floats round, of the light of the brightest channel: none is quieter, and one that is nearly dark weighs
+little. Behind dark glass it shows another picture."""
 
 CELLS_ALIKE = 4 * np.pi * SMOOTHING_CELLS**2
 """Cells over which the smoothing makes noise alike: the integral of a Gaussian's square correlation, twice."""
@@ -41,8 +42,8 @@ def channel_weights(candidate: PatchSamples, reference: PatchSamples) -> np.ndar
     noises = [image.noise for image in images if image.noise is not None]
     if not noises or not light.any():
         return np.full(3, 1 / 3)
-    variance = np.sum([(noise**2).mean(axis=(0, 1)) for noise in noises], axis=0) + (ROUNDED * light) ** 2
-    weights = np.divide(light, variance, out=np.zeros(3), where=variance > 0)
+    variance = np.sum([(noise**2).mean(axis=(0, 1)) for noise in noises], axis=0) + (ROUNDED * light.max()) ** 2
+    weights = light / variance
     return np.asarray(weights / weights.sum())
 
 
