@@ -6,16 +6,21 @@ import math
 
 import pytest
 
+from vitrail.base.changed import changed
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.judge.comparison import Comparison, ObservationResult, Pair, PatchRecord, TolerancePart, Verdict
-from vitrail.judge.noise_record import NoiseRecord
+from vitrail.judge.noise_record import NoiseRecord, learnt
+from vitrail.judge.observe import Observed
 from vitrail.judge.purchase import Purchase, price_score
 from vitrail.judge.records import EngineRun, SceneResult, Status
 from vitrail.judge.verdict import Measured, Noise, decide, overall
 from vitrail.judge.view_record import ViewRecord
 from vitrail.pipeline.basket import FINER, LEAST, MOST_PHOTONS, SAFETY, cheapest, levels
+from vitrail.pipeline.look_again import with_look
 from vitrail.pipeline.more_samples import offer, purchases
 from vitrail.pipeline.prices import price_s
+from vitrail.pipeline.scene_run import SceneRun
+from vitrail.scene.model import Observation, Patch
 
 
 def compared(value: float, error: float) -> Comparison:
@@ -63,6 +68,9 @@ OPEN = compared(1.0, 0.015)
 FACTOR = SAFETY * (1.959964 * 0.015 / 0.01) ** 2
 DEAR = compared(1.0, 0.1)
 """One that needs 44 times as much."""
+
+
+SPOT = Observation(name="spot", phenomenon=Phenomenon.CAUSTIC, patch=Patch(center=(0, 0, 0), u=(1, 0, 0), v=(0, 0, 1)))
 
 
 def test_a_number_says_how_much_smaller_its_variance_must_be() -> None:
@@ -171,3 +179,42 @@ def test_prices_are_scored_by_a_factor_of_two() -> None:
 
     score = price_score([paid(5.0), paid(20.0), paid(20.1), paid(4.9), paid(None)])
     assert (score.bought, score.close, score.predicted_s, score.paid_s) == (4, 2, 40.0, 50.0)
+
+
+def test_what_a_look_did_not_lessen_is_not_bought_again() -> None:
+    """Four times the photons left the noise of a peak as it was: it is of samples, wherever in the picture it lies."""
+    before = NoiseRecord(side="povray", photons=0.9, edges=0.1, rays=0.0)
+    assert learnt(before, before, 4.0, 1.0).photons == 0
+    assert learnt(before, before, 4.0, 1.0).edges == 1
+    lessened = changed(before, photons=0.225, edges=0.1)
+    assert learnt(before, lessened, 4.0, 1.0).photons == pytest.approx(0.225)
+    # Samples alone: what stayed is of photons, though it lies where edges are.
+    stayed = changed(before, photons=0.0, edges=0.9)
+    assert learnt(before, stayed, 1.0, 8.0).photons == pytest.approx((8 * 0.9 - 1) / 7)
+    # Both grew alike, or nothing is known: the picture alone says.
+    assert learnt(before, stayed, 4.0, 4.0) is stayed
+    silent = changed(before, photons=0.0, edges=0.0)
+    assert learnt(silent, stayed, 4.0, 1.0) is stayed
+
+
+def test_another_look_keeps_what_it_has_shown() -> None:
+    """A purchase of photons that changed nothing: the causes in the record say samples from then on."""
+    doubtful = observation("spot", OPEN, photons=1.0)
+    first = scene(doubtful, engines=())
+    seen = Observed(
+        observation=SPOT,
+        patch=doubtful.patch,
+        half_edge_m=1.0,
+        measured=(),
+        truths=(),
+        profiles=(),
+        unmeasured=(),
+        view=doubtful.view,
+        noise=doubtful.noise,
+    )
+    bought = Purchase(samples={"spot": 4}, photons=4000, numbers=1, predicted_s=1.0)
+    found = with_look(SceneRun(first, (seen,)), SceneRun(first, (seen,)), bought)
+    assert found.observed[0].noise[0].photons == 0
+    # The next look has as many photons as the last one: nothing more is learnt of them.
+    again = with_look(found, SceneRun(first, (seen,)), bought)
+    assert again.observed[0].noise[0].photons == 1

@@ -10,10 +10,14 @@ from typing import assert_never
 import numpy as np
 from pydantic import Field
 
+from vitrail.base.changed import changed
 from vitrail.base.record import Record
 from vitrail.images.patch import PatchSamples
 from vitrail.metrics.noise_causes import NoiseCauses, noise_causes
 from vitrail.scene.model import Area, Directional, Emitter, Environment, Point, Scene, Spot
+
+APART = 1.5
+"""How many times more of one kind than of the other must have been bought, before their effects are told apart."""
 
 PHOTON_LAYER = "caustic"
 """The layer whose light photons brought."""
@@ -32,6 +36,22 @@ class NoiseRecord(Record):
     photons: float = Field(ge=0)
     edges: float = Field(ge=0)
     rays: float = Field(ge=0)
+
+
+def learnt(before: NoiseRecord, after: NoiseRecord, photons: float, samples: float) -> NoiseRecord:
+    """The causes of the noise ``after`` a look with times as many photons and samples, as that look has shown them.
+
+    Photons would leave P / photons, samples the rest over theirs; what is left of both together says how much P was,
+    wherever in the picture it lies. Without noise, or where both grew nearly alike, nothing is learnt.
+    """
+    whole, left = (each.photons + each.edges + each.rays for each in (before, after))
+    ratio = photons / samples
+    if not (whole > 0 and left > 0) or 1 / APART < ratio < APART:
+        return after
+    shown = min(max((whole - samples * left) / (photons - samples), 0.0), left)
+    rest = after.edges + after.rays
+    edges = after.edges / rest if rest > 0 else 1.0
+    return changed(after, photons=shown, edges=(left - shown) * edges, rays=(left - shown) * (1 - edges))
 
 
 def noise_records(

@@ -8,7 +8,9 @@ from typing import Any
 
 from vitrail.base.changed import changed
 from vitrail.base.progress import Progress
-from vitrail.judge.observe import observe
+from vitrail.base.record import number_in
+from vitrail.judge.noise_record import learnt
+from vitrail.judge.observe import Observed, observe
 from vitrail.judge.purchase import Purchase
 from vitrail.judge.records import EngineRun, SceneResult, Status
 from vitrail.judge.references import read_scene_truth
@@ -63,10 +65,29 @@ def with_look(older: SceneRun, newer: SceneRun, purchase: Purchase) -> SceneRun:
         return replace(newer, record=changed(newer.record, purchases=record.purchases))
     fresh = {entry.observation.name: entry for entry in newer.observed}
     observed = tuple(
-        replace(fresh[entry.observation.name], patch=entry.patch) if entry.observation.name in fresh else entry
+        _seen_again(entry, fresh[entry.observation.name], older.record, purchase)
+        if entry.observation.name in fresh
+        else entry
         for entry in older.observed
     )
     return replace(older, record=record, observed=observed)
+
+
+def _seen_again(older: Observed, newer: Observed, record: SceneResult, purchase: Purchase) -> Observed:
+    """An observation in another look: its patch in the scene's own picture, and causes of noise as both looks show."""
+    found = replace(newer, patch=older.patch)
+    if older.view is None or newer.view is None:
+        return found
+    photons = number_in(record.settings, "photons", 0.0)
+    taken = next((each.photons for each in reversed(record.purchases) if older.view.name in each.samples), photons)
+    more_photons = purchase.photons / taken if taken else 1.0
+    more_samples = newer.view.samples / older.view.samples
+    before = {each.side: each for each in older.noise}
+    noise = tuple(
+        learnt(before[each.side], each, more_photons, more_samples) if each.side in before else each
+        for each in newer.noise
+    )
+    return replace(found, noise=noise)
 
 
 def priced(scene: SceneResult, last: SceneResult) -> SceneResult:
