@@ -16,6 +16,7 @@ from vitrail.lower.povray.bodies.normalise import Normalisation, in_metres, norm
 from vitrail.lower.povray.photons.depth import TraceDepth, trace_depth
 from vitrail.lower.povray.photons.off_centre import off_centre
 from vitrail.lower.povray.photons.photons import Ball, PhotonPass, Shooting, photon_pass, photon_targets
+from vitrail.lower.povray.refusals.horizon import refuse_unseen_planes
 from vitrail.lower.povray.refusals.layers import refuse_nested_layers
 from vitrail.lower.povray.refusals.refusal import Refusals
 from vitrail.lower.povray.refusals.support import refuse_unsupported
@@ -91,6 +92,7 @@ def translate(world: World, plan: Plan, settings: Settings, *, is_readable: bool
     skies = skies_of(asked.scene, world.folder or Path(), refusals)
     bodies = _bodies(asked, is_readable=is_readable)
     asked = replace(asked, world=bodies.joined.world)
+    refuse_unseen_planes(asked.world, bodies.units, asked.refusals)
     mode = mode_of(asked.scene, plan, settings, skies)
     refuse_nested_layers(asked, bodies.nesting, mode)
     targets = photon_targets(asked, bodies.units)

@@ -8,20 +8,14 @@ two, so that no digit is lost: lengths in the scene description are units = (met
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 from dataclasses import dataclass
-
-import numpy as np
 
 from vitrail.base.vector import Vec, length, scale, subtract
 from vitrail.geometry.bounds import together
-from vitrail.geometry.shapes.axial import PlacedCone, PlacedCylinder
-from vitrail.geometry.shapes.box import PlacedBox
 from vitrail.geometry.shapes.mesh import PlacedMesh
-from vitrail.geometry.shapes.sphere import PlacedSphere
-from vitrail.geometry.touch import TOUCH
 from vitrail.geometry.world import World
 from vitrail.lower.povray.bodies.curvature import curved_receivers, lost_share
+from vitrail.lower.povray.bodies.features import SMALLEST_FEATURE, features_of
 from vitrail.lower.povray.refusals.refusal import NotTranslatable, Refusals
 
 LARGEST_EXTENT = 64.0
@@ -30,16 +24,10 @@ SMALLEST_EXTENT = 8.0
 """The same where photons fall on curved surfaces, if it must be: smaller, gaps and hairs become visible lengths."""
 BENT_SHARE = 0.01
 """Share of a photon disc that a curved surface may lose before the scene is made smaller; an opal ball lost 23 %."""
-SMALLEST_FEATURE = 0.01
-"""Thickness in units that every tolerance of POV-Ray resolves by a factor of ten [P 7]."""
 WIDEST_EXTENT = 8192.0
 """Extent in units up to which thin features may push the scale: single precision still places photons to 5e-4 units."""
 SMALLEST_IN_METRES = 1.0
 """Extent in metres from which a scene may stay in metres: gaps are then 1e-4 of it."""
-HOLLOWED = (PlacedSphere, PlacedCylinder, PlacedCone, PlacedBox)
-"""Shapes whose walls are looked at."""
-ALIKE = 3
-"""Points of a wall: fewer lie near the line in which two surfaces cross, where nothing is thin."""
 FARTHEST_CAMERA = 1.0e5
 """Distance of the camera in units up to which images are exact [P 7]."""
 
@@ -70,18 +58,15 @@ def normalise(world: World, refusals: Refusals, gather_radius_m: float = 0.0) ->
     meshes = [solid.vertex_bounds for solid in world.solids if isinstance(solid, PlacedMesh)]
     bounds = together([world.extent, *meshes])
     diameter = 2 * bounds.radius_m
-    smallest, thinnest = min(_features(world), default=(diameter, None))
+    least = min(features_of(world), default=None, key=lambda each: each.needs_m)
+    smallest = diameter if least is None else least.needs_m
     factor = _power_of_two_below(LARGEST_EXTENT / diameter)
     while factor * diameter > SMALLEST_EXTENT and _bent_share(world, gather_radius_m, factor) > BENT_SHARE:
         factor /= 2
     while smallest * factor < SMALLEST_FEATURE and diameter * factor * 2 <= WIDEST_EXTENT:
         factor *= 2
-    if smallest * factor < SMALLEST_FEATURE and thinnest is not None:
-        what = (
-            f"a feature of {smallest:.3g} m in a scene of {diameter:.3g} m is {smallest * factor:.2g} POV-Ray units"
-            f" thick, below the {SMALLEST_FEATURE:g} that its absolute tolerances resolve"
-        )
-        raise NotTranslatable([refusals.at(what, "make it thicker or the scene smaller", "objects", thinnest)])
+    if least is not None and smallest * factor < SMALLEST_FEATURE:
+        raise NotTranslatable([least.refused(refusals, diameter, factor)])
     centre = _centre(bounds.centre, diameter)
     result = Normalisation(centre, factor, diameter * factor)
     if length(result.point(world.scene.camera.position)) > FARTHEST_CAMERA:
@@ -97,7 +82,7 @@ def in_metres(world: World, units: Normalisation) -> Normalisation:
     Walls of meshes are not looked at, so a scene with meshes keeps its units.
     """
     extent_m = units.extent / units.scale
-    smallest = min((thickness for thickness, _ in _features(world)), default=extent_m)
+    smallest = min((each.needs_m for each in features_of(world)), default=extent_m)
     has_meshes = any(isinstance(solid, PlacedMesh) for solid in world.solids)
     is_resolved = smallest >= SMALLEST_FEATURE and SMALLEST_IN_METRES <= extent_m <= WIDEST_EXTENT
     if has_meshes or not is_resolved or length(units.centre) > 0:
@@ -109,33 +94,6 @@ def _bent_share(world: World, gather_radius_m: float, factor: float) -> float:
     """What the most curved receiver of photons loses at a scale."""
     radii = [radius for _, radius in curved_receivers(world)]
     return max((lost_share(gather_radius_m * factor, radius * factor) for radius in radii), default=0.0)
-
-
-def _features(world: World) -> Iterator[tuple[float, int]]:
-    """The smallest thickness of each solid object, metres, and its walls; those of a mesh are not looked at."""
-    for index, solid in enumerate(world.solids):
-        if not isinstance(solid, PlacedMesh) and math.isfinite(thickness := solid.thickness_m):
-            yield thickness, index
-            yield from ((wall, index) for wall in _walls(world, index))
-
-
-def _walls(world: World, index: int) -> Iterator[float]:
-    """What is left of a solid, metres, beside one of its own shape that takes room from it: tubes, bubbles, tanks.
-
-    Its thickness is that of the room where three points of its surface are as near.
-    """
-    solid = world.solids[index]
-    for other, taker in enumerate(world.solids):
-        is_hollow = isinstance(solid, HOLLOWED) and type(taker) is type(solid) and other != index
-        if not is_hollow or not world.displaces(other, index):
-            continue
-        points = np.array(solid.surface_points(taker), float).reshape(-1, 3)
-        outside = points[~np.asarray(taker.is_inside(points), bool)] if len(points) else points
-        slack = TOUCH * max(solid.number_size_m, taker.number_size_m)
-        # Faces that lie on each other leave no wall.
-        away = sorted(each for each in taker.distances([(x, y, z) for x, y, z in outside.tolist()]) if each > slack)
-        if len(away) >= ALIKE:
-            yield away[ALIKE - 1]
 
 
 def _power_of_two_below(value: float) -> float:

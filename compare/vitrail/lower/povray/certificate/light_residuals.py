@@ -8,8 +8,12 @@ from vitrail.base.phenomenon import Phenomenon
 from vitrail.lower.povray.certificate.certificate import HALF_FLOAT, RELATIVE, Entry, the_light
 from vitrail.lower.povray.text.lights import FADE_SHARE, Source
 from vitrail.lower.povray.text.sky import Skies
+from vitrail.lower.povray.text.wide_lamps import CLOSEST, ERROR
 from vitrail.lower.povray.translation import Translation
 from vitrail.scene.model import Scene
+
+CLOSEST_AT_LAST = 1.2 * CLOSEST
+"""A lattice has a Fibonacci number of points, up to a quarter less than is wanted."""
 
 
 def light_entries(translation: Translation) -> Iterator[Entry]:
@@ -17,6 +21,7 @@ def light_entries(translation: Translation) -> Iterator[Entry]:
     scene, skies, lights = translation.scene, translation.lighting.skies, translation.lighting.halves["a"]
     yield from _falloff(scene, lights)
     yield from _grids(scene, lights, skies)
+    yield from _coarse(scene, lights)
     yield from _pixels(translation, skies)
 
 
@@ -48,6 +53,22 @@ def _grids(scene: Scene, lights: Sequence[Source], skies: Skies) -> Iterator[Ent
                 1 / (2 * count),
                 RELATIVE,
                 "penumbras have steps of one small light; the light as a whole is unbiased",
+            )
+
+
+def _coarse(scene: Scene, lights: Sequence[Source]) -> Iterator[Entry]:
+    """Lamps so wide beside the distance of what they light that the most small lights are still few."""
+    for index in sorted({source.light for source in lights if source.step > CLOSEST_AT_LAST}):
+        step = max(source.step for source in lights if source.light == index)
+        for phenomenon in (Phenomenon.DIFFUSION, Phenomenon.SHADOW):
+            yield Entry(
+                phenomenon,
+                the_light(scene, index),
+                "light from every point of the lamp",
+                f"from points {step:.2g} times as far apart as what they light is away",
+                ERROR * step**2,
+                RELATIVE,
+                "where a surface is near, points are bright spots on it; root mean square under discs, measured",
             )
 
 

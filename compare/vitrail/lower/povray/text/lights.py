@@ -14,6 +14,7 @@ from typing import assert_never
 
 from vitrail.base.colour import Triplet, times
 from vitrail.base.vector import Vec, add, cross, length, scale, unit
+from vitrail.geometry.placement import solid_of
 from vitrail.lower.povray.asked import Asked
 from vitrail.lower.povray.bodies.normalise import Normalisation
 from vitrail.lower.povray.refusals.refusal import NotTranslatable
@@ -29,6 +30,7 @@ from vitrail.lower.povray.text.exposure import Exposure
 from vitrail.lower.povray.text.sdl import Block, Statement, block, rgb, statement, vector
 from vitrail.lower.povray.text.shapes import aperture
 from vitrail.lower.povray.text.sky import Skies
+from vitrail.lower.povray.text.wide_lamps import COARSEST, MOST_LIGHTS, closeness
 from vitrail.scene.diagnostic import Diagnostic
 from vitrail.scene.model import Area, Directional, Disc, Environment, Light, Point, Rectangle, Spot
 
@@ -55,7 +57,8 @@ class Source:
 
     ``strength`` is what its photons carry: E / pi, or I / pi in units, along the axis of a cone. ``aperture`` is the
     shape that parallel light must pass. ``light`` is the index of the scene's light it belongs to, and ``aside`` how
-    far it stands from where that has it, units.
+    far it stands from where that has it, units. ``step`` is how far the lights of a lamp stand apart, over the distance
+    of what they light.
     """
 
     light: int
@@ -67,6 +70,7 @@ class Source:
     aperture: Block | None = None
     aperture_area: float = math.inf
     aside: float = 0.0
+    step: float = 0.0
 
 
 def sources(asked: Asked, units: Normalisation, grid: Grid, skies: Skies) -> tuple[Source, ...]:
@@ -143,15 +147,30 @@ def _patch(
 ) -> list[Source]:
     """One-sided Lambertian points on the lamp: I = radiance * area * cosine, shared."""
     shape = lamp.shape
-    parts = disc_points(shape, grid) if isinstance(shape, Disc) else rectangle_points(shape, grid)
+    parts = _parts(shape, grid)
+    close = closeness(solid_of(shape), area_of(shape), parts, asked.world.solids)
+    if close.wanted > len(parts):
+        parts = _parts(shape, replace(grid, count=min(close.wanted, MOST_LIGHTS)))
+    if close.step(len(parts)) > COARSEST:
+        what = (
+            f"`{light.name}` is so wide and lights what is so near, {close.nearest_m:.3g} m, that it needs some"
+            f" {close.wanted} small lights in POV-Ray; there are at most {MOST_LIGHTS}"
+        )
+        remedy = "move it away, make it smaller, or render it with the tracer alone"
+        raise NotTranslatable([asked.refusals.at(what, remedy, "lights", index, light.emitter.key)])
     strength = times(lamp.strength, area_of(shape) * units.scale**2 / math.pi)
     found = []
     for part in parts:
         fade = _fade(light, index, part.position, asked, units)
         cone = Cone(part.direction, 90.0, is_lambert=True)
         position = units.point(part.position)
-        found.append(Source(index, times(strength, part.share), position, fade_distance=fade, cone=cone))
+        strength_of_part, step = times(strength, part.share), close.step(len(parts))
+        found.append(Source(index, strength_of_part, position, fade_distance=fade, cone=cone, step=step))
     return found
+
+
+def _parts(shape: Rectangle | Disc, grid: Grid) -> list[Emitter]:
+    return disc_points(shape, grid) if isinstance(shape, Disc) else rectangle_points(shape, grid)
 
 
 def area_of(shape: Rectangle | Disc) -> float:
