@@ -51,7 +51,7 @@ inline Scene furnace(const Body& body) {
     material.ior_minus_one_by_band = {0.5, 0.532, 0.564, 0.596};
   }
   builder.add("body", SphereShape{{0, 0, 0}, 1}, builder.add(material));
-  builder.scene.lights.push_back({"sky", EnvironmentLight{{1, 1, 1}, "", nullptr}});
+  builder.scene.lights.push_back({"sky", EnvironmentLight{{1, 1, 1}, nullptr}});
   builder.scene.camera = {CameraKind::orthographic, {0, 0, 5}, {0, 0, -1}, {1, 0, 0}, {0, 1, 0}, kHalf, kHalf};
   builder.scene.image = {kSide, kSide};
   builder.scene.plan.caustic = false;

@@ -83,13 +83,13 @@ TEST(Emission, OfALampIsItsIrradiance) {
 TEST(Emission, OfACollimatedLampIsItsIrradiance) {
   expect_two_equal_views(AreaLight{RectangleShape{{0.2, 2, 0}, {0.5, 0, 0}, {0, 0, 0.4}}, true, {}, {3, 3, 3}});
 }
-TEST(Emission, OfAnEnvironmentIsItsIrradiance) { expect_two_equal_views(EnvironmentLight{{1, 1, 1}, "", nullptr}); }
+TEST(Emission, OfAnEnvironmentIsItsIrradiance) { expect_two_equal_views(EnvironmentLight{{1, 1, 1}, nullptr}); }
 
 TEST(Emission, OfASkyImageIsItsIrradiance) {
   // One bright pixel high up, others dim.
   std::vector<Rgb> pixels(16 * 8, Rgb{0.1, 0.1, 0.1});
   pixels[16 * 1 + 5] = {20, 20, 20};
-  expect_two_equal_views(EnvironmentLight{{}, "sky.exr", std::make_shared<const SkyImage>(16, 8, pixels)});
+  expect_two_equal_views(EnvironmentLight{{}, std::make_shared<const SkyImage>(16, 8, pixels)});
 }
 
 /// A Lambertian disc seen on its axis: E = pi L r^2 / (r^2 + h^2).

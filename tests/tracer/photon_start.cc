@@ -29,7 +29,7 @@ PhotonMaps maps_of(const Scene& scene) {
 
 const DirectionalLight kSlantedSun{normalise({0.3, -1, 0.2}), {2, 2, 2}, 0};
 const DirectionalLight kWideSun{normalise({0.3, -1, 0.2}), {2, 2, 2}, 30};
-const EnvironmentLight kSky{{1, 1, 1}, "", nullptr};
+const EnvironmentLight kSky{{1, 1, 1}, nullptr};
 
 /// What stops a shadow ray stops a photon: a ceiling without an end lets no light from infinity into the room.
 TEST(LightFromInfinity, IsStoppedByAnInfiniteCeiling) {

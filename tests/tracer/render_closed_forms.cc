@@ -94,7 +94,7 @@ TEST(GreyCard, IsBlackBehindAndInShadow) {
 /// itself 1.
 TEST(Environment, LightsACardWithPi) {
   SceneBuilder builder = card_scene(0.5, 0);
-  builder.scene.lights.push_back({"sky", EnvironmentLight{{1, 1, 1}, "", nullptr}});
+  builder.scene.lights.push_back({"sky", EnvironmentLight{{1, 1, 1}, nullptr}});
   builder.scene.settings.samples = 64;
   const Rgb found = rendered(builder.scene).film.radiance(2, 2);
   EXPECT_NEAR(found.r, 0.5, kFilmRounding);  // cosine-distributed samples of a constant: no noise
