@@ -7,6 +7,7 @@ from dataclasses import replace
 from vitrail.base.phenomenon import Phenomenon
 from vitrail.judge.comparison import ObservationResult, Pair, PatchRecord, Verdict
 from vitrail.judge.judgement import judge_observation
+from vitrail.judge.lost_light import LostLight, lost_light
 from vitrail.judge.observe import Observed
 from vitrail.judge.references import Truth
 from vitrail.judge.rules import Rule
@@ -49,6 +50,31 @@ def test_the_certificate_widens_what_povray_takes_part_in_and_nothing_else() -> 
     ]
     assert [part.source for part in result.comparisons[0].tolerance_parts] == ["threshold", "certificate"]
     assert "states 0.02 for caustic" in result.comparisons[0].tolerance_parts[1].reason
+
+
+def test_what_limits_cut_widens_every_number_and_what_povray_drops_only_its_own() -> None:
+    pairs = (Pair.TRACER_POVRAY, Pair.TRACER_TRUTH)
+    found = observed(*(measured(pair, 1.02) for pair in pairs))
+    lost = LostLight(cut=0.02)
+    result = judged(replace(found, lost=lost))
+    assert [entry.verdict for entry in result.comparisons] == [Verdict.AGREES, Verdict.AGREES]
+    assert [part.source for part in result.comparisons[1].tolerance_parts] == ["threshold", "cut"]
+    lost = LostLight(dropped=0.02, least_branch=1e-4)
+    result = judged(replace(found, lost=lost))
+    assert [entry.verdict for entry in result.comparisons] == [Verdict.AGREES, Verdict.DEVIATES]
+    allowed = result.comparisons[0].tolerance_parts[1]
+    assert (allowed.source, round(allowed.amount, 12)) == ("dropped", round(0.02 / 0.98 - 0.0002, 12))
+    assert "POV-Ray drops branches below 0.0001" in allowed.reason
+
+
+def test_lost_light_is_read_from_the_run_records_of_both_engines() -> None:
+    weak = [{"below": 1e-3, "share": 0.3}, {"below": 1e-4, "share": 0.2}, {"below": 1e-5, "share": 0.1}]
+    ledger = {"cut": 0.01, "weak_branches": weak}
+    tracer = {"camera_ledger": {}, "views": [{"name": "spot", "camera_ledger": ledger}]}
+    found = [lost_light(tracer, povray, "spot") for povray in ({"adc_bailout": 1e-4}, {"adc_bailout": 5e-5}, None)]
+    assert [each.dropped for each in found] == [0.2, 0.2, 0.0]
+    assert {each.cut for each in found} == {0.01}
+    assert lost_light(tracer, {"adc_bailout": 1e-4}, None) == LostLight(least_branch=1e-4)
 
 
 def test_resolution_allows_what_smoothing_does_to_a_number_and_no_more() -> None:

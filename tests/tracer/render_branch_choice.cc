@@ -61,7 +61,7 @@ Scene pile(int panes, int limit, double sky) {
   const auto clear = builder.add(glass(1.5, {1, 1, 1}, true));
   for (int i = 0; i < panes; ++i)
     builder.add("pane" + std::to_string(i), BoxShape{{-9, 0.02 * i, -9}, {9, 0.02 * i + 0.01, 9}, {}}, clear);
-  if (sky > 0) builder.scene.lights.push_back({"sky", EnvironmentLight{Rgb{1, 1, 1} * sky, "", nullptr}});
+  if (sky > 0) builder.scene.lights.push_back({"sky", EnvironmentLight{Rgb{1, 1, 1} * sky, nullptr}});
   builder.scene.camera = {CameraKind::orthographic, {0, 3, 0}, {0, -1, 0}, {1, 0, 0}, {0, 0, -1}, 0.5, 0.5};
   builder.scene.image = {16, 16};
   builder.scene.plan.caustic = false;
@@ -184,6 +184,23 @@ TEST(CameraLedger, WarnsOfWhatTheLimitsCutWithItsPlace) {
   EXPECT_GT(result.camera_ledger.cut(Limit::max_transmissions), result.camera_ledger.cut(Limit::max_reflections));
   EXPECT_GT(result.camera_ledger.cut(Layer::refraction), 0);
   EXPECT_EQ(result.camera_ledger.cut(Layer::diffusion), 0);
+}
+
+/// In one pane light goes to and fro, and each turn leaves the share R of it. The first branch below 1e-3 and 1e-4 is
+/// that after three turns; one turn more is below 1e-5, and one more below 1e-6.
+TEST(CameraLedger, BooksWhatARendererWouldLoseThatDropsWeakBranches) {
+  Scene scene = pile(1, 1000, 1);
+  for (double branch_share : {0.0, 0.01}) {
+    scene.settings.branch_share = branch_share;
+    scene.settings.samples = branch_share > 0 ? 64 : 1;
+    const Rendering result = rendered(scene);
+    const double within = branch_share > 0 ? 0.1 : 1e-12;  // chance follows the third turn in one of seven looks
+    for (const auto& [place, turns] : {std::pair{0, 3}, {1, 3}, {2, 4}, {3, 5}}) {
+      const double right = (1 - kReflectance) * std::pow(kReflectance, turns);
+      EXPECT_NEAR(result.camera_ledger.weak(place) / right, 1, place < 2 || branch_share == 0 ? within : 1) << place;
+    }
+    EXPECT_EQ(result.camera_ledger.cut(), 0);
+  }
 }
 
 TEST(CameraLedger, IsEmptyWhereNothingIsCut) {

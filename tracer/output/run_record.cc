@@ -36,7 +36,8 @@ Json ledger_object(const Ledger& ledger) {
           {"truncated", triplet(ledger.truncated)}, {"closure", ledger.closure()}};
 }
 
-// What limits cut, as shares of looks: in all, by limit and by layer, and the block of pixels that lost most.
+// What limits cut, as shares of looks: in all, by limit and by layer, and the block of pixels that lost most. And the
+// share of the light that came by weak branches, which other renderers drop.
 Json camera_ledger_object(const CameraLedger& ledger, const Scene& scene) {
   Json limits = Json::object(), layers = Json::object();
   for (const Limit limit : {Limit::max_reflections, Limit::max_transmissions})
@@ -45,7 +46,11 @@ Json camera_ledger_object(const CameraLedger& ledger, const Scene& scene) {
     const auto layer = static_cast<Layer>(l);
     if (ledger.cut(layer) > 0) layers[name_of(layer)] = ledger.cut(layer);
   }
-  Json record = {{"cut", ledger.cut()}, {"limits", limits}, {"layers", layers}, {"worst", nullptr}};
+  Json weak = Json::array();
+  for (std::size_t i = 0; i < kWeakShares.size(); ++i)
+    weak.push_back({{"below", kWeakShares[i]}, {"share", ledger.weak(i)}});
+  Json record = {
+      {"cut", ledger.cut()}, {"limits", limits}, {"layers", layers}, {"weak_branches", weak}, {"worst", nullptr}};
   const CameraLedger::Worst& worst = ledger.worst();
   if (!(worst.cut > 0)) return record;
   const PixelBlock& block = worst.block;

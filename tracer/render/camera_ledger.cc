@@ -16,6 +16,18 @@ const char* name_of(Limit limit) {
   throw std::logic_error("no such limit");
 }
 
+void LightByBranch::add(double share, Rgb light) {
+  const double sum = light.r + light.g + light.b;
+  all += sum;
+  for (std::size_t i = 0; i < kWeakShares.size(); ++i) weak[i] += share < kWeakShares[i] ? sum : 0;
+}
+
+LightByBranch& LightByBranch::operator+=(const LightByBranch& other) {
+  all += other.all;
+  for (std::size_t i = 0; i < weak.size(); ++i) weak[i] += other.weak[i];
+  return *this;
+}
+
 void CameraLedger::add(const CutBranch& branch) {
   by_limit_[static_cast<std::size_t>(branch.limit)] += branch.share;
   by_layer_[static_cast<std::size_t>(branch.layer)] += branch.share;
@@ -35,6 +47,7 @@ CameraLedger& CameraLedger::operator+=(const CameraLedger& other) {
   looks_ += other.looks_;
   for (std::size_t i = 0; i < by_limit_.size(); ++i) by_limit_[i] += other.by_limit_[i];
   for (std::size_t i = 0; i < by_layer_.size(); ++i) by_layer_[i] += other.by_layer_[i];
+  light_ += other.light_;
   if (other.worst_.cut > worst_.cut) worst_ = other.worst_;
   return *this;
 }
@@ -42,6 +55,7 @@ CameraLedger& CameraLedger::operator+=(const CameraLedger& other) {
 double CameraLedger::cut() const { return mean(by_limit_[0] + by_limit_[1]); }
 double CameraLedger::cut(Limit limit) const { return mean(by_limit_[static_cast<std::size_t>(limit)]); }
 double CameraLedger::cut(Layer layer) const { return mean(by_layer_[static_cast<std::size_t>(layer)]); }
+double CameraLedger::weak(std::size_t place) const { return light_.all > 0 ? light_.weak.at(place) / light_.all : 0; }
 
 std::string warning_of(const CameraLedger& ledger, const Scene& scene, double tolerated) {
   const CameraLedger::Worst& worst = ledger.worst();

@@ -22,6 +22,19 @@ struct CutBranch {
   Layer layer = Layer::diffusion;
 };
 
+/// Shares of a look below which other renderers drop a branch. The ledger books what each would lose.
+inline constexpr std::array<double, 4> kWeakShares{1e-3, 1e-4, 1e-5, 1e-6};
+
+/// The light of a look without that of photons: sums of the channels, W sr^-1 m^-2. `weak[i]` came by branches that
+/// carry less than `kWeakShares[i]` of the look.
+struct LightByBranch {
+  double all = 0;
+  std::array<double, kWeakShares.size()> weak{};
+
+  void add(double share, Rgb light);
+  LightByBranch& operator+=(const LightByBranch& other);
+};
+
 /// Pixels [x0, x1) x [y0, y1) of a picture.
 struct PixelBlock {
   int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
@@ -32,6 +45,7 @@ class CameraLedger {
  public:
   void add_look() { ++looks_; }
   void add(const CutBranch& branch);
+  void add(const LightByBranch& light) { light_ += light; }
 
   /// Name the pixels that have been added so far.
   void close(const PixelBlock& block);
@@ -42,6 +56,9 @@ class CameraLedger {
   double cut() const;
   double cut(Limit limit) const;
   double cut(Layer layer) const;
+
+  /// The share of the light that comes by branches below `kWeakShares[place]`. Nothing is dropped here.
+  double weak(std::size_t place) const;
 
   /// The block that lost most.
   struct Worst {
@@ -58,6 +75,7 @@ class CameraLedger {
   double looks_ = 0;
   std::array<double, 2> by_limit_{};
   std::array<double, kLayerCount> by_layer_{};
+  LightByBranch light_;
   std::map<std::uint32_t, double> by_object_;  // of the block that is not yet closed
   Worst worst_;
 };

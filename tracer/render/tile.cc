@@ -102,6 +102,7 @@ class PixelRenderer {
     statistics_.counters.shadow_rays += result_.shadow_rays;
     statistics_.ledger.add_look();
     for (const CutBranch& branch : result_.cut) statistics_.ledger.add(branch);
+    statistics_.ledger.add(result_.light);
   }
 
   const LitWorld& world_;

@@ -25,6 +25,12 @@ Layer layer_after(Layer before, Lobe lobe) {
   throw std::logic_error("no such lobe");
 }
 
+// Add light that a path brings.
+void show(const CameraVertex& vertex, Layer layer, Rgb light, PathResult& result) {
+  result.radiance[layer] += light;
+  result.light.add(vertex.whole, light);
+}
+
 }  // namespace
 
 CameraTracer::CameraTracer(const LitWorld& world)
@@ -34,6 +40,7 @@ void CameraTracer::trace(const CameraPath& path, PathResult& result) {
   result.radiance = {};
   result.requests.clear();
   result.cut.clear();
+  result.light = {};
   result.rays = result.shadow_rays = 0;
   result.left_to_chance = false;
   path_ = path;
@@ -54,7 +61,7 @@ void CameraTracer::trace(const CameraPath& path, PathResult& result) {
       continue;
     }
     for (const Light& light : scene_.lights) {
-      result.radiance[vertex.layer] += vertex.path.weight * sky_radiance(light, vertex.path.ray.direction);
+      show(vertex, vertex.layer, vertex.path.weight * sky_radiance(light, vertex.path.ray.direction), result);
     }
   }
 }
@@ -117,15 +124,15 @@ void CameraTracer::shade(const CameraVertex& vertex, const Arrival& arrival, Pat
   const Interaction& event = arrival.event;
   const double ratio = ior_at_camera_ / event.index.from;
   const Rgb seen = vertex.path.weight * (ratio * ratio);
-  result.radiance[vertex.layer] += seen * event.emission;
+  show(vertex, vertex.layer, seen * event.emission, result);
   if (is_black(event.diffuse)) return;
 
   const Rgb reflected = seen * event.diffuse * (1 / M_PI);
   const ShadingPoint at = shading_point(arrival);
   const DirectLight light = direct_light(world_, at, path_.draw, light_samples(vertex));
   result.shadow_rays += light.shadow_rays;
-  result.radiance[vertex.layer] += reflected * light.irradiance;
-  result.radiance[Layer::indirect_light] += reflected * indirect(vertex, at);
+  show(vertex, vertex.layer, reflected * light.irradiance, result);
+  show(vertex, Layer::indirect_light, reflected * indirect(vertex, at), result);
   if (!scene_.plan.caustic || is_binned(vertex)) return;
   const auto is_flat = [&](const Crossing& c) { return has_flat_faces(scene_.objects[c.object].shape); };
   const bool on_flat = std::all_of(arrival.hit.crossings.begin(), arrival.hit.crossings.end(), is_flat);
@@ -242,6 +249,7 @@ void CameraTracer::send(const CameraVertex& from, const Arrival& arrival, const 
   next.path.weight = from.path.weight * branch.weight * factor;
   next.path.depth = from.path.depth.after(branch.lobe);
   next.share = share * factor;
+  next.whole = from.whole * (share / from.share);
   next.layer = layer_after(from.layer, branch.lobe);
   next.branch = within(from.branch, static_cast<std::uint64_t>(branch.lobe));
 }

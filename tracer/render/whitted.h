@@ -37,6 +37,7 @@ struct PathResult {
   HalfPixel radiance;                   // without what is to be gathered
   std::vector<GatherRequest> requests;  // pixel and half left to the caller
   std::vector<CutBranch> cut;           // what the limits of the scene ended
+  LightByBranch light;                  // the radiance, by what its branches carry
   std::uint64_t rays = 0, shadow_rays = 0;
   bool left_to_chance = false;  // some branch was: another path through the same place may see something else
 };
@@ -48,6 +49,7 @@ struct CameraVertex {
   Layer layer = Layer::diffusion;
   Stream branch;     // names this place of the tree
   double share = 1;  // of the look, by how light divides at the faces: absorption and tints leave it alone
+  double whole = 1;  // that share, if nothing had been left to chance
   double part = 1;   // of one look, after it was divided into bands or rough rays
 };
 

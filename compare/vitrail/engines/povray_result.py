@@ -177,6 +177,7 @@ def _record(version: str, lowered: PovrayScene, outcomes: list[Outcome], threads
             # It counts gathers only where it shoots; where it loads photons, a ray gathers once at most.
             "gather_queries": count("gather_calls", rendered) or (count("rays", rendered) if shot else 0),
         },
+        "adc_bailout": lowered.adc_bailout,
         "certificate": lowered.certificate.as_json(),
         "isolation": list(executions[0].walls),
         "runs": [_run_record(outcome) for outcome in outcomes],

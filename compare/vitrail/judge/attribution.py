@@ -21,6 +21,10 @@ ROUNDINGS = 4
 """A metric divides, sums or subtracts a few rounded numbers; four of them at their worst in one direction."""
 
 
+TRANSLATED = ("certificate", "dropped")
+"""Parts of a tolerance that are there because POV-Ray does something else."""
+
+
 def attribute(comparisons: Sequence[Comparison]) -> tuple[Comparison, ...]:
     """The comparisons of one observation, each that needs one with its cause."""
     return tuple(
@@ -54,11 +58,13 @@ def _cause(comparison: Comparison, family: Sequence[Comparison]) -> Attribution 
 
 def _explained(comparison: Comparison) -> Attribution | None:
     """Agreement that needed the certificate is a difference explained by translation."""
-    own = sum(part.amount for part in comparison.tolerance_parts if part.source != "certificate")
+    own = sum(part.amount for part in comparison.tolerance_parts if part.source not in TRANSLATED)
     if abs(comparison.difference) <= own or own == comparison.tolerance:
         return None
     stated = comparison.tolerance - own
-    reason = f"the difference exceeds the threshold of {own:.3g} and is inside the {stated:.3g} the certificate states"
+    reason = (
+        f"the difference exceeds the threshold of {own:.3g} and is inside the {stated:.3g} that the translation states"
+    )
     return Attribution(cause=Cause.TRANSLATION, engine="povray", reason=reason)
 
 

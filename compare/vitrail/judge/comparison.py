@@ -98,10 +98,11 @@ class Bound(Record):
 class TolerancePart(Record):
     """One share of a tolerance: the metric's threshold or its formula's, and what is allowed beside it.
 
-    That is what the translation's certificate states, and against a closed form what the image's resolution smooths.
+    That is what the translation's certificate states, against a closed form what the image's resolution smooths, and
+    what limits cut or POV-Ray drops of the light.
     """
 
-    source: Literal["threshold", "reference", "certificate", "resolution"]
+    source: Literal["threshold", "reference", "certificate", "resolution", "cut", "dropped"]
     amount: float = Field(ge=0)
     reason: str
 

@@ -68,6 +68,8 @@ def _judge(
         phenomenon = observed.observation.phenomenon.value
         reason = f"the certificate states {stated:.2g} for {phenomenon}"
         parts = [*parts, TolerancePart(source="certificate", amount=widening, reason=reason)]
+    lost = observed.lost.parts(rule, measured.ideal, observed.half_edge_m, is_translated=is_translated)
+    parts = [*parts, *(each for each in lost if each.amount > 0)]
     if measured.smoothing > 0:
         reason = "smoothed once more by its gather disc, pixels and cells, it changes so much"
         parts = [*parts, TolerancePart(source="resolution", amount=measured.smoothing, reason=reason)]

@@ -13,6 +13,7 @@ from vitrail.base.phenomenon import Phenomenon
 from vitrail.images.exr import ImageLayers
 from vitrail.images.patch import PatchSamples
 from vitrail.judge.comparison import Pair, PatchRecord, Profile
+from vitrail.judge.lost_light import LostLight
 from vitrail.judge.noise_record import NoiseRecord, noise_records
 from vitrail.judge.patch_light import PatchLight, patch_light
 from vitrail.judge.profiles import profiles_of
@@ -34,7 +35,8 @@ UNSEEN = 0.5
 class Observed:
     """One observation with its numbers; ``unmeasured`` says what no number could be had for.
 
-    ``view`` is the picture in which it was measured, None for the scene's own; ``noise`` is what its noise comes from.
+    ``view`` is the picture in which it was measured, None for the scene's own; ``noise`` is what its noise comes from,
+    ``lost`` the light that no engine shows there.
     """
 
     observation: Observation
@@ -46,6 +48,7 @@ class Observed:
     unmeasured: tuple[str, ...]
     view: ViewRecord | None = None
     noise: tuple[NoiseRecord, ...] = ()
+    lost: LostLight = LostLight()
 
 
 def merged(first: Observed, second: Observed) -> Observed:
@@ -126,6 +129,7 @@ def _observe(
         unmeasured=tuple(dict.fromkeys(unmeasured)),
         view=shown.record,
         noise=noise_records(samples, scene, correlation_m),
+        lost=shown.lost,
     )
 
 

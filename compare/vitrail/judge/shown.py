@@ -13,6 +13,7 @@ from vitrail.geometry.patch import corners_around
 from vitrail.images.exr import ImageLayers, read_image
 from vitrail.images.patch import PatchGrid, PatchSamples, make_grid, sample_patch
 from vitrail.judge.comparison import PatchRecord
+from vitrail.judge.lost_light import LostLight
 from vitrail.judge.view_record import ViewRecord
 from vitrail.scene.model import Camera, Image, Patch, Scene
 
@@ -21,13 +22,14 @@ from vitrail.scene.model import Camera, Image, Patch, Scene
 class Shown:
     """What one camera saw: ``images`` by side, all of one size.
 
-    ``record`` is that of a view, None for the scene's own picture.
+    ``record`` is that of a view, None for the scene's own picture; ``lost`` is what no engine shows there.
     """
 
     camera: Camera
     image: Image
     images: Mapping[str, ImageLayers]
     record: ViewRecord | None = None
+    lost: LostLight = LostLight()
 
     @classmethod
     def by_scene(cls, scene: Scene, images: Mapping[str, ImageLayers]) -> Shown:

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
 from vitrail.base.changed import changed
 from vitrail.base.progress import Progress, named, silent
-from vitrail.engines.base import EngineFailure
+from vitrail.engines.base import EngineFailure, Rendering
+from vitrail.judge.judgement import Residual
+from vitrail.judge.lost_light import lost_light
 from vitrail.judge.observe import NothingToMeasure
 from vitrail.judge.records import Results, SceneResult, Status
 from vitrail.judge.references import references_folder
@@ -21,7 +23,7 @@ from vitrail.pipeline.gated_images import open_images
 from vitrail.pipeline.gated_views import open_views
 from vitrail.pipeline.job import Job, prepare
 from vitrail.pipeline.look_again import look_again, request_of
-from vitrail.pipeline.lowered import job_of, lower
+from vitrail.pipeline.lowered import Lowered, job_of, lower
 from vitrail.pipeline.measurements import Measurements
 from vitrail.pipeline.own_defect import TRACEBACK, defective, if_own_defect, unsearched
 from vitrail.pipeline.request import Request
@@ -77,7 +79,7 @@ def compare_scene(task: SceneTask, progress: Progress = silent) -> SceneRun:
             return SceneRun(record)
         name = loaded.path.stem
         measured = Measurements(job.scene, name, references, job.settings, images, stored, views, job.times)
-        scanned = scan_images(job.world, images, lowered.certificate.bound, place)
+        scanned = scan_images(job.world, images, _allowed(lowered, rendered), place)
         record = changed(record, global_metrics=measured.whole_images(), scan=scanned)
         return SceneRun(record, measured.observations(), lowered.certificate.bound, references)
     except NotTranslatable as refusal:
@@ -88,6 +90,13 @@ def compare_scene(task: SceneTask, progress: Progress = silent) -> SceneRun:
         return SceneRun(ended(record, Status.SCENE_ERROR, f"{request.defect.name}: {nothing}; leave it out"))
     except NothingToMeasure as nothing:
         return SceneRun(ended(record, Status.SCENE_ERROR, str(nothing)))
+
+
+def _allowed(lowered: Lowered, made: Mapping[str, Rendering]) -> Residual:
+    """What the whole pictures may differ by: what the certificate states, and what the engines lose of the light."""
+    povray = made.get("povray")
+    lost = lost_light(made["tracer"].record, povray.record if povray else None, None)
+    return lambda phenomenon, whole: lowered.certificate.bound(phenomenon, whole) + lost.cut + lost.unstated
 
 
 def _stored(loaded: Loaded, references: Path, request: Request) -> Stored | None:

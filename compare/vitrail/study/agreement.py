@@ -135,7 +135,7 @@ def _how_bad(comparison: Comparison) -> tuple[int, float]:
 
 def _row(scene: SceneResult, observation: ObservationResult, worst: Comparison) -> AgreementRow:
     number, _, part = worst.metric.partition(".")
-    allowed = sum(each.amount for each in worst.tolerance_parts if each.source in ("certificate", "resolution"))
+    allowed = sum(each.amount for each in worst.tolerance_parts if each.source not in ("threshold", "reference"))
     low, high = worst.interval.low, worst.interval.high
     return AgreementRow(
         phenomenon=observation.phenomenon,

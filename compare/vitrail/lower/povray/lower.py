@@ -94,7 +94,10 @@ class PovrayRun:
 
 @dataclass(frozen=True)
 class PovrayScene:
-    """Everything POV-Ray needs for one scene, and what it will do differently."""
+    """Everything POV-Ray needs for one scene, and what it will do differently.
+
+    Branches below ``adc_bailout`` of a look are dropped.
+    """
 
     title: str
     scene_hash: str
@@ -106,6 +109,7 @@ class PovrayScene:
     settings: Settings
     mode: Mode
     photons: PhotonPass | None
+    adc_bailout: float
     views: tuple[ObservationView, ...] = ()
 
 
@@ -128,6 +132,7 @@ def lower_povray(world: World, plan: Plan, settings: Settings, views: Sequence[O
         settings=settings,
         mode=translation.mode,
         photons=translation.photons,
+        adc_bailout=translation.depth.adc_bailout,
         views=tuple(views),
     )
 
