@@ -18,7 +18,7 @@ from vitrail.judge.view_record import ViewRecord
 from vitrail.pipeline.basket import FINER, LEAST, MOST_PHOTONS, SAFETY, cheapest, levels
 from vitrail.pipeline.look_again import with_look
 from vitrail.pipeline.more_samples import offer, purchases
-from vitrail.pipeline.prices import price_s
+from vitrail.pipeline.prices import paid_s, price_s
 from vitrail.pipeline.scene_run import SceneRun
 from vitrail.scene.model import Observation, Patch
 
@@ -117,6 +117,17 @@ def test_more_photons_than_a_machine_holds_are_never_bought() -> None:
     assert cheapest(doubtful, {"spot": FACTOR}) is None
     wish = offer(doubtful, 60.0, 60.0)
     assert wish is not None and not wish.affordable and "more than a machine holds" in wish.reason
+
+
+def test_a_bill_holds_what_was_priced() -> None:
+    """Ordering POV-Ray's photons is our work and in no engine's total: a look pays for it as its price did."""
+    record = {"cpu_s": {"total": 5.0, "photon_pass": 2.0, "photon_order": 3.0, "camera": 3.0}}
+    run = EngineRun(engine="povray", version="1", cpu_s=5.0, record=record)
+    assert paid_s([run, run]) == 16.0
+    doubtful = scene(observation("spot", OPEN), engines=(run,))
+    bought = Purchase(samples={"spot": 4}, photons=1000, numbers=1, predicted_s=price_s([run], 1.0, {"spot": 1.0}))
+    found = with_look(SceneRun(doubtful), SceneRun(doubtful), bought).record.purchases[0]
+    assert found.paid_s == found.predicted_s == 8.0
 
 
 def test_a_price_counts_photons_once_and_every_view_that_is_looked_at() -> None:

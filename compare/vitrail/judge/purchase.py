@@ -15,7 +15,8 @@ CLOSE = 2.0
 class Purchase(Record):
     """One more look at some views of a scene: ``samples`` of a pixel by view, and ``photons`` that they share.
 
-    Prices are CPU seconds of both engines together; ``paid_s`` is null until the look is done.
+    Prices are CPU seconds of both engines together and of ordering photons between shooting and gathering; ``paid_s``
+    is null until the look is done.
     """
 
     samples: dict[str, int]

@@ -17,6 +17,7 @@ from vitrail.judge.references import read_scene_truth
 from vitrail.pipeline.gated_views import open_views
 from vitrail.pipeline.lowered import job_of, lower
 from vitrail.pipeline.measurements import PAIRS
+from vitrail.pipeline.prices import paid_s
 from vitrail.pipeline.record_parts import engine_record
 from vitrail.pipeline.request import Request
 from vitrail.pipeline.run_both import run_both
@@ -56,7 +57,7 @@ def look_again(task: SceneTask, purchase: Purchase, references: Path, progress: 
 
 def with_look(older: SceneRun, newer: SceneRun, purchase: Purchase) -> SceneRun:
     """A run with the numbers of another look in the place of its own; a look that failed is a remark."""
-    paid = changed(purchase, paid_s=sum(engine.cpu_s or 0.0 for engine in newer.record.engines))
+    paid = changed(purchase, paid_s=paid_s(newer.record.engines))
     record = changed(older.record, purchases=(*older.record.purchases, paid))
     if newer.record.status is not Status.JUDGED:
         remark = f"more samples were bought and gave no numbers: {newer.record.message}"

@@ -18,6 +18,11 @@ GATHERING = 0.5
 """The share of an engine's camera phase that is gathering, where it cannot tell the two apart."""
 
 
+def paid_s(engines: Sequence[EngineRun]) -> float:
+    """CPU seconds that a look took: both engines, and the ordering of photons between them, which is ours."""
+    return sum((engine.cpu_s or 0.0) + _phases(engine).get("photon_order", 0.0) for engine in engines)
+
+
 def price_s(engines: Sequence[EngineRun], photons: float, samples: Mapping[str, float]) -> float:
     """CPU seconds of both engines for ``photons`` times the photons and, by view, so many times the samples."""
     return sum(_engine_s(engine, photons, samples) for engine in engines)
@@ -25,15 +30,21 @@ def price_s(engines: Sequence[EngineRun], photons: float, samples: Mapping[str, 
 
 def _engine_s(engine: EngineRun, photons: float, samples: Mapping[str, float]) -> float:
     """One engine: its photons once, then every view. Each gather finds more of more photons."""
-    phases: Any = engine.record.get("cpu_s") or {}
-    shot = sum(number_in(phases, name, 0.0) for name in PHOTON_PHASES)
+    phases = _phases(engine)
+    shot = sum(phases.get(name, 0.0) for name in PHOTON_PHASES)
     found = photons**GATHER_GROWTH if engine.photons_stored else 1.0
     taken: Any = engine.record.get("views") or ()
     views = {str(view["name"]): view["cpu_s"] for view in taken}
     # What an engine does not tell apart is the picture, or at most all that its camera phase made.
-    camera = {name: number_in(phases, name, 0.0) for name in ("camera", "gather")}
+    camera = {name: phases.get(name, 0.0) for name in ("camera", "gather")}
     drawn = sum(_view_s(views.get(name, camera), factor, found) for name, factor in samples.items())
-    return number_in(phases, "build", 0.0) + shot * photons + drawn
+    return phases.get("build", 0.0) + shot * photons + drawn
+
+
+def _phases(engine: EngineRun) -> Mapping[str, float]:
+    """CPU seconds of an engine by phase, as its run record has them."""
+    written: Any = engine.record.get("cpu_s") or {}
+    return {str(name): number_in(written, name, 0.0) for name in written}
 
 
 def _view_s(cpu_s: Mapping[str, Any], samples: float, found: float) -> float:

@@ -20,6 +20,7 @@ from vitrail.pipeline.judge import judge, judge_scene
 from vitrail.pipeline.look_again import priced, with_look
 from vitrail.pipeline.more_samples import offer, purchases
 from vitrail.pipeline.own_defect import defective, if_own_defect
+from vitrail.pipeline.prices import paid_s
 from vitrail.pipeline.request import Request
 from vitrail.pipeline.scene_run import SceneRun, SceneTask
 from vitrail.scene.load import Loaded
@@ -76,7 +77,7 @@ class Suite:
         The first look is what was asked for; only those after it are paid from the budget.
         """
         if task.purchase is not None:
-            self.left_s -= _cpu_s(run.record)
+            self.left_s -= paid_s(run.record.engines)
             if run.record.engines:
                 self.last[task.name] = run.record
             run = with_look(self.runs[task.name], run, task.purchase)
@@ -145,8 +146,3 @@ def scene_names(paths: Sequence[Path]) -> list[str]:
         path.stem if stems.count(path.stem) == 1 else f"{path.resolve().parent.name}-{path.stem}" for path in paths
     ]
     return [name if names.index(name) == place else f"{name}-{place}" for place, name in enumerate(names)]
-
-
-def _cpu_s(record: SceneResult) -> float:
-    """What one look at a scene took, both engines together."""
-    return sum(engine.cpu_s or 0.0 for engine in record.engines)
