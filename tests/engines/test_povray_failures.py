@@ -166,3 +166,18 @@ def test_a_povray_without_memory_says_so(tmp_path: Path, monkeypatch: pytest.Mon
     monkeypatch.setattr(module, "EXTRA_MEMORY_BYTES", 1 << 20)
     with pytest.raises(EngineFailure, match="povray: it"):
         Povray().render(starved, tmp_path / "out")
+
+
+def test_a_focus_brighter_than_half_floats_is_no_picture() -> None:
+    """A lens in its focal distance over a card, and discs far smaller than its light: POV-Ray writes infinity."""
+    lens = "lens: {radius_front: 0.5, radius_back: 0.5, thickness: 0.004, diameter: 0.04}"
+    burning = scene(
+        "card: {diffuse: 0.8}\nglass: {transmission: 1, ior: 1.5, fresnel: true}",
+        f"""
+        - {{name: card, plane: {{point: [0, 0, 0], normal: [0, 1, 0]}}, material: card}}
+        - {{name: lens, {lens}, rotate_deg: [90, 0, 0], translate: [0, 0.5013, 0], material: glass}}
+        """,
+        camera="camera: {kind: orthographic, position: [0, 0.3, 0], look_at: [0, 0, 0], up: [0, 0, 1], height: 5.0e-4}",
+    )
+    with pytest.raises(EngineFailure, match=r"samples are brighter than its half-float image holds.*gather_radius_m"):
+        rendered(burning, photons=100_000, gather_radius_m=2e-5)

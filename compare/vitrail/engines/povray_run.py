@@ -30,6 +30,7 @@ from vitrail.lower.povray.text.sky import SkyPicture
 ENGINE = "povray"
 DEFECT = "this is a defect of the translation or of POV-Ray; its words follow"
 TOO_DEEP = "its stack may be too small for so many faces; lower max_transmissions or max_reflections; its words follow"
+TOO_BRIGHT = "it may focus light to a point, which a larger `gather_radius_m` spreads; the tracer has no such limit"
 
 
 def work_of(run: PovrayRun) -> tuple[object, ...]:
@@ -171,6 +172,9 @@ def _image(path: Path, picture: PovrayPicture, output: str) -> np.ndarray:
     if image.shape != (picture.height, picture.width, 3):
         what = f"it wrote {image.shape[1]} x {image.shape[0]} pixels instead of {picture.width} x {picture.height}"
         raise EngineFailure(ENGINE, what, DEFECT, complaint_of(output))
+    if lost := int((~np.isfinite(image)).any(axis=2).sum()):
+        what = f"{lost} of its {image.shape[0] * image.shape[1]} samples are brighter than its half-float image holds"
+        raise EngineFailure(ENGINE, what, TOO_BRIGHT)
     return image
 
 
