@@ -1,7 +1,7 @@
 """Triangles from a PLY or OBJ file: read once, here, for every engine; and placed in the world.
 
 Vertex normals are those of the file, or for a smooth mesh without any the mean of the neighbouring faces, weighted by
-their angle at the vertex, as in our tracer.
+their angle at the vertex, as in our tracer. Faces are no neighbours there that meet in a sharp edge.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ from pathlib import Path
 import numpy as np
 
 from vitrail.base.input_file import InputFileError, look_at, read_bytes
+from vitrail.geometry.creases import split_at_creases
 from vitrail.geometry.frame import Frame
 from vitrail.geometry.obj_file import read_obj
 from vitrail.geometry.ply_file import read_ply
@@ -56,13 +57,17 @@ class Triangles:
         return self.vertices[self.faces]
 
 
-def read_mesh(path: Path) -> ReadMesh:
-    """Read a mesh; a file that has not changed is read once. Raises MeshFileError."""
+def read_mesh(path: Path, *, is_smooth: bool = False) -> ReadMesh:
+    """Read a mesh; a file that has not changed is read once. Raises MeshFileError.
+
+    One that ``is_smooth`` and has no normals has vertices of their own for each side of a sharp edge.
+    """
     try:
         found = look_at(path)
     except InputFileError as error:
         raise MeshFileError(f"it {error}") from None
-    return _read(path, (found.st_dev, found.st_ino, found.st_size, found.st_mtime_ns))
+    state = (found.st_dev, found.st_ino, found.st_size, found.st_mtime_ns)
+    return _smooth(path, state) if is_smooth else _read(path, state)
 
 
 def placed(mesh: ReadMesh, shape: Mesh, frame: Frame) -> Triangles:
@@ -74,6 +79,12 @@ def placed(mesh: ReadMesh, shape: Mesh, frame: Frame) -> Triangles:
     if mesh.normals is not None:
         return Triangles(vertices, mesh.triangles, mesh.normals @ rotation.T)
     return Triangles(vertices, mesh.triangles, _angle_weighted(vertices, mesh.triangles))
+
+
+@lru_cache(maxsize=KEPT)
+def _smooth(path: Path, state: tuple[int, ...]) -> ReadMesh:
+    read = _read(path, state)
+    return read if read.normals is not None else ReadMesh(*split_at_creases(read.vertices, read.triangles), None)
 
 
 @lru_cache(maxsize=KEPT)

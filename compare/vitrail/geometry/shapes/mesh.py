@@ -52,7 +52,7 @@ class PlacedMesh(Solid):
     def read(self) -> ReadMesh:
         """What its file holds, in the axes of the file. Raises MeshFileError for a file that cannot be read."""
         assert self.file is not None, "a mesh of a world with a folder has a full path"
-        return read_mesh(self.file)
+        return read_mesh(self.file, is_smooth=self.shape.smooth)
 
     @property
     def known(self) -> MeshSolid:
