@@ -69,3 +69,14 @@ def test_a_lamp_far_too_wide_is_refused_with_its_line() -> None:
 def test_what_lies_behind_a_lamp_needs_no_more_lights(roof: str) -> None:
     made = lowered(below(disc(0.3), f"- {{name: roof, {roof}, material: white}}"))
     assert made.runs[0].sdl.count("light_source") == 21
+
+
+def test_the_certificate_says_how_far_the_spots_of_a_focused_sun_stand_apart() -> None:
+    """Small suns share the solid angle evenly: a square of side d sqrt(pi / n) / 2 for each of n."""
+    ball = "- {name: ball, sphere: {center: [0, 1.5, 0], radius: 0.3}, material: glass}"
+    sun = "- {name: sun, directional: {direction: [0, -1, 0], irradiance: 1, angular_diameter_deg: 3}}"
+    made = lowered(scene("white: {diffuse: 1}\nglass: {transmission: 1, ior: 1.5}", f"{CARD}\n{ball}", sun))
+    entries = [each for each in made.certificate.entries if "spots in each half" in each.target_law]
+    count = made.runs[0].sdl.count("light_source")
+    assert [each.residual for each in entries] == pytest.approx([math.radians(1.5) * math.sqrt(math.pi / count)])
+    assert made.certificate.bound(Phenomenon.CAUSTIC) < 0.1

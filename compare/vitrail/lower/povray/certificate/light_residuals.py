@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 
 from vitrail.base.phenomenon import Phenomenon
@@ -10,7 +11,7 @@ from vitrail.lower.povray.text.lights import FADE_SHARE, Source
 from vitrail.lower.povray.text.sky import Skies
 from vitrail.lower.povray.text.wide_lamps import CLOSEST, ERROR
 from vitrail.lower.povray.translation import Translation
-from vitrail.scene.model import Scene
+from vitrail.scene.model import Directional, Scene
 
 CLOSEST_AT_LAST = 1.2 * CLOSEST
 """A lattice has a Fibonacci number of points, up to a quarter less than is wanted."""
@@ -22,6 +23,8 @@ def light_entries(translation: Translation) -> Iterator[Entry]:
     yield from _falloff(scene, lights)
     yield from _grids(scene, lights, skies)
     yield from _coarse(scene, lights)
+    if translation.photons is not None:
+        yield from _focused(scene, lights)
     yield from _pixels(translation, skies)
 
 
@@ -69,6 +72,23 @@ def _coarse(scene: Scene, lights: Sequence[Source]) -> Iterator[Entry]:
                 ERROR * step**2,
                 RELATIVE,
                 "where a surface is near, points are bright spots on it; root mean square under discs, measured",
+            )
+
+
+def _focused(scene: Scene, lights: Sequence[Source]) -> Iterator[Entry]:
+    """A sun's image behind a lens: one spot for each small light. It widens no tolerance: what it does is noise."""
+    for index, light in enumerate(scene.lights):
+        count = sum(source.light == index for source in lights)
+        if isinstance(light.emitter, Directional) and count > 1:
+            diameter = math.radians(light.emitter.angular_diameter_deg)
+            yield Entry(
+                Phenomenon.CAUSTIC,
+                the_light(scene, index),
+                "the image of a sun is a disc",
+                f"{count} spots in each half image, where glass focuses it",
+                diameter / 2 * math.sqrt(math.pi / count),
+                "m per metre of focal length",
+                "how far they stand apart; gathering joins them where its disc is wider, the halves differ elsewhere",
             )
 
 
