@@ -20,8 +20,8 @@ from vitrail.pipeline.prices import price_s
 SAFETY = 1.3
 """The factor comes from an estimated interval, good to about 15 %; a little more spares another round."""
 
-LEAST = 2.0
-"""A look that is worth its cost doubles the samples."""
+LEAST = 1.5
+"""A look is taken with so many times the samples at least: the new interval is as good as the old to 15 % only."""
 
 STEPS, FINER = 57, 2**0.25
 """Numbers of photons that are tried, and each over the one before: up to 16 000 times as many."""
