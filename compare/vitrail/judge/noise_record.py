@@ -69,14 +69,26 @@ def noise_records(
 def _causes(
     samples: PatchSamples, noise: np.ndarray, layers: Mapping[str, np.ndarray], scene: Scene, gather_radius_m: float
 ) -> NoiseCauses:
-    light = samples.values
-    nothing = np.zeros_like(light)
-    photons, direct = (layers.get(name, nothing) for name in (PHOTON_LAYER, DIRECT_LAYER))
-    rest = np.maximum(light - photons, 0.0)
-    # A lamp with a size, a sky or final gathering draws rays everywhere, rough glass where it is looked at.
-    drawn = rest if _draws_everywhere(scene) else np.maximum(rest - direct, 0.0) if _has_roughness(scene) else nothing
+    photons = layers.get(PHOTON_LAYER, np.zeros_like(samples.values))
+    drawn = _drawn_light(samples.values, layers, scene)
     disc_cells = math.pi * gather_radius_m**2 / samples.cell_area_m2
-    return noise_causes(noise, light, photons, drawn, disc_cells=disc_cells)
+    return noise_causes(noise, samples.values, photons, drawn, disc_cells=disc_cells)
+
+
+def _drawn_light(light: np.ndarray, layers: Mapping[str, np.ndarray], scene: Scene) -> np.ndarray:
+    """The light that is seen by rays drawn at random.
+
+    A lamp with a size, a sky or final gathering draws rays everywhere, rough glass where it is looked at. Layers are
+    taken as they are: what another engine's light differs by from them is noise, and no light.
+    """
+    everywhere = _draws_everywhere(scene)
+    if not (everywhere or _has_roughness(scene)):
+        return np.zeros_like(light)
+    if not layers:
+        return light
+    without = (PHOTON_LAYER,) if everywhere else (PHOTON_LAYER, DIRECT_LAYER)
+    found: np.ndarray = sum((layer for name, layer in layers.items() if name not in without), np.zeros_like(light))
+    return found
 
 
 def _has_roughness(scene: Scene) -> bool:
