@@ -25,4 +25,9 @@ bool leaves_to_chance(const CarriedShares& carried, double least);
 /// `least` have it together, so it never ends and brings no noise under an even sky. `chance` is in (0, 1).
 BranchFactors choose_branches(const CarriedShares& carried, double least, double chance);
 
+/// The same for looks: what both ways carry together stays, whatever chance says, so that an even sky has no noise
+/// behind clear glass. A weak way that is taken gets `least`, and the strong one the rest. Where both together carry
+/// less than three times `least` one of them gets all; a path that carries next to nothing may end.
+BranchFactors share_out(const CarriedShares& carried, double least, double chance);
+
 }  // namespace vitrail

@@ -214,7 +214,7 @@ void CameraTracer::divide(const CameraVertex& vertex, const Arrival& arrival, co
   BranchFactors factors{1, 1};
   const double least = least_share(scene_.settings.branch_share, rays_);
   if (leaves_to_chance(carried, least)) {
-    factors = choose_branches(carried, least, chance_at(vertex, result, 0));
+    factors = share_out(carried, least, chance_at(vertex, result, 0));
   }
 
   // The stronger way is followed first, while the look has taken few rays.
