@@ -65,8 +65,9 @@ class FormulaEngine:
         metadata = {"vitrail:scene_hash": scene_hash, "vitrail:settings": json.dumps({"seed": 1})}
 
         def picture(name: str, size: tuple[int, int]) -> Path:
-            a, b = (self.radiance * (1 + noise * rng.standard_normal((*size, 3))) for _ in "ab")
-            write_image(out_dir / name, self.spoil((a + b) / 2), half_a=a, half_b=b, metadata=metadata)
+            drawn = [self.radiance * (1 + noise * rng.standard_normal((*size, 3))) for _ in "ab"]
+            a, b = (self.spoil(half) for half in drawn)
+            write_image(out_dir / name, (a + b) / 2, half_a=a, half_b=b, metadata=metadata)
             return out_dir / name
 
         path = picture(f"{self.name}.exr", _size(lowered))

@@ -123,11 +123,15 @@ def test_doubt_that_costs_more_than_its_bound_buys_nothing_and_says_the_price(tm
     assert (scene.verdict, tracer.renders) == (Verdict.INCONCLUSIVE, 1)
     wish = scene.more_samples
     assert wish is not None and not wish.affordable and wish.cpu_s is not None and wish.cpu_s > wish.budget_s == 10.0
-    # The two looks of 4 CPU s that the engines claim are gone from what is left.
-    noisy = FormulaEngine("tracer", noise=0.1, stays_noisy=True)
-    out = tmp_path / "again"
-    spent = only(run(out, [card], tracer=noisy, rounds=1, budget_s=1000.0)).more_samples
-    assert spent is not None and "996 of the 1000 CPU s" in spent.reason
+    # The first look is no purchase.
+    assert "10 of the 10 CPU s" in wish.reason
+
+
+def test_doubt_that_a_purchase_did_not_lessen_is_not_bought_again(tmp_path: Path, card: Loaded) -> None:
+    stays = FormulaEngine("tracer", noise=0.1, stays_noisy=True)
+    scene = only(run(tmp_path, [card], tracer=stays, rounds=3, budget_s=1000.0))
+    assert (len(scene.purchases), stays.renders) == (1, 2)
+    assert scene.more_samples is not None and not scene.more_samples.affordable
 
 
 def test_a_number_that_comes_and_goes_with_the_noise_is_not_taken_for_exact() -> None:
