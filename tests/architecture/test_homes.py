@@ -11,8 +11,8 @@ from tests.architecture.source_tree import PACKAGE
 FACTS = {
     "the lines of Fraunhofer": (r"486\.1|587\.5|656\.2", {"optics/lines.py"}),
     "the paper's band shift": (r'"d_line": 1', {"optics/dispersion.py"}),
-    "the exit codes": (r"(?m)(?:=|\() ?(?:130|143)\)?$", {"base/exit_code.py"}),
-    "files that appear whole": (r"token_hex|mkstemp", {"base/whole_file.py"}),
+    "the exit codes": (r"(?m)(?:=|\() ?(?:129|130|131|143)\)?$", {"base/exit_code.py"}),
+    "files that appear whole": (r"token_hex|mkstemp", {"base/scratch.py"}),
     "canonical JSON": (r"separators=\(", {"base/canonical_json.py"}),
     "the camera's axes": (r"cross\(right, forward\)", {"geometry/camera.py"}),
     "the keys of shapes and lights": (r'"rectangle", "disc"', set()),

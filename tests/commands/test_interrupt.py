@@ -70,10 +70,41 @@ def test_ctrl_c_keeps_the_finished_work_and_ends_with_130(under_way) -> None:  #
     assert is_gone(tracer)
 
 
-def test_sigterm_ends_program_and_tracer_and_leaves_nothing(under_way) -> None:  # type: ignore[no-untyped-def]
+@pytest.mark.parametrize(("order", "code"), [(signal.SIGTERM, 143), (signal.SIGHUP, 129), (signal.SIGQUIT, 131)])
+def test_an_order_ends_program_and_tracer_and_leaves_nothing(under_way, order: int, code: int) -> None:  # type: ignore[no-untyped-def]
     caller, tracer, out = under_way
-    caller.send_signal(signal.SIGTERM)
-    caller.communicate(timeout=30)
-    assert caller.returncode == 143
+    caller.send_signal(order)
+    _, errors = caller.communicate(timeout=30)
+    assert caller.returncode == code
+    assert errors.strip().splitlines()[-1].startswith(f"ended by {signal.Signals(order).name}")
     assert files_in(out) == []
     assert is_gone(tracer)
+
+
+def test_a_full_disk_ends_with_2_one_line_and_nothing_left(tmp_path: Path) -> None:
+    """The tracer says what its library says, and nobody else is blamed."""
+    program, out = tmp_path / "tracer", tmp_path / "out"
+    words = "vitrail-tracer: a.exr: cannot be written: No space left on device.; choose a folder that can be written"
+    program.write_text(f"#!/bin/sh\necho '{words}' >&2\nexit 1\n")
+    program.chmod(0o755)
+    command = [sys.executable, "-m", "vitrail.commands.app", "render", str(SCENE), "--out", str(out / "image.exr")]
+    done = subprocess.run(
+        command,
+        env={**os.environ, "VITRAIL_TRACER": str(program)},
+        cwd=ROOT / "compare",
+        capture_output=True,
+        text=True,
+    )
+    assert done.returncode == 2 and files_in(out) == []
+    assert done.stderr.splitlines()[-1] == "the disk: no space left on device; name another place, or free this one"
+
+
+def test_a_killed_program_takes_its_tracer_along_and_the_next_start_sweeps(under_way) -> None:  # type: ignore[no-untyped-def]
+    caller, tracer, out = under_way
+    caller.kill()
+    caller.wait(30)
+    assert is_gone(tracer)
+    assert files_in(out), "a scratch folder stays behind"
+    command = [sys.executable, "-m", "vitrail.commands.app", "render", str(SCENE), "--out", str(out / "image.exr")]
+    assert subprocess.run(command, cwd=ROOT / "compare", timeout=120).returncode == 0
+    assert files_in(out) == ["image.exr", "image.run.json"]

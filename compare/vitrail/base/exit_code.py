@@ -22,7 +22,11 @@ class ExitCode(IntEnum):
     INCONCLUSIVE = 5
     DEFECT = 70
     """A defect of this program, as in sysexits.h. Python would end with 1, which says that a scene deviates."""
+    HUNG_UP = 129
+    """SIGHUP: the terminal was closed. 128 and the number of the signal, as shells expect; so are those below."""
     INTERRUPTED = 130
-    """Ctrl-C, as shells expect: 128 and the number of SIGINT."""
+    """Ctrl-C."""
+    QUIT = 131
+    """SIGQUIT."""
     TERMINATED = 143
     """SIGTERM."""

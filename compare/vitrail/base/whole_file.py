@@ -6,10 +6,11 @@ A reader, and whoever starts after a crash, meets the old file or the new one an
 from __future__ import annotations
 
 import os
-import secrets
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+
+from vitrail.base.scratch import scratch_path
 
 
 @contextmanager
@@ -20,7 +21,7 @@ def whole_file(path: Path, *, durable: bool = False) -> Iterator[Path]:
     content to the disk before the move, for what must survive a power cut. An OSError names ``path``.
     """
     path.parent.mkdir(parents=True, exist_ok=True)
-    partial = path.with_name(f".{secrets.token_hex(4)}.partial{path.suffix}")
+    partial = scratch_path(".partial-", path.parent, path.suffix)
     try:
         yield partial
         if durable:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import signal
 import sys
 import traceback
 from collections.abc import Callable, Iterator, Mapping
@@ -132,15 +131,16 @@ def vitrail(
 
 
 def main() -> None:
-    """Run the program; Ctrl-C ends it with 130, as shells expect, and SIGTERM with 143, its engines with it.
+    """Run the program; Ctrl-C ends it with 130, as shells expect, SIGTERM with 143, and its engines end with it.
 
     A defect of the program itself ends with 70 and its traceback, and is never taken for a verdict.
     """
     from vitrail.base.exit_code import ExitCode
+    from vitrail.commands.ending import signals_minded
 
-    signal.signal(signal.SIGTERM, lambda number, frame: sys.exit(ExitCode.TERMINATED))
     try:
-        app()
+        with signals_minded():
+            app()
     except KeyboardInterrupt:
         sys.exit(ExitCode.INTERRUPTED)
     except Exception:

@@ -84,5 +84,8 @@ def compare(
             results = compare_scenes(loaded, request, show)
         page = build_report(out)
         print_in(Format.JSON if as_json else form, results, page, loaded, verbose=verbose)
+        if results.exit_code == ExitCode.INTERRUPTED:
+            done = f"{len(results.scenes)} of {len(loaded)} scenes are finished and kept"
+            typer.echo(f"interrupted: {done} in {out / 'results.json'}; run it again for the rest", err=True)
     is_open = results.exit_code == ExitCode.INCONCLUSIVE
     raise typer.Exit(ExitCode.AGREES if allow_open and is_open else results.exit_code)

@@ -7,7 +7,7 @@ from contextlib import contextmanager
 
 import typer
 
-from vitrail.base.disk_error import is_disk_error
+from vitrail.base.disk_error import is_disk_error, words_of
 from vitrail.base.exit_code import ExitCode
 from vitrail.base.fault import Fault
 
@@ -37,8 +37,7 @@ def exit_codes() -> Iterator[None]:
     except OSError as error:
         if not is_disk_error(error):
             raise
-        what = (error.strerror or "it cannot be used").lower()
-        _say([f"{error.filename or 'the disk'}: {what}; name another place, or free this one"])
+        _say([f"{words_of(error)}; name another place, or free this one"])
         raise typer.Exit(ExitCode.SCENE_ERROR) from None
     except Exception as error:
         from vitrail.lower.povray import NotTranslatable

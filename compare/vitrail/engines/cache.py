@@ -6,10 +6,10 @@ import hashlib
 import json
 import os
 import shutil
-import tempfile
 from collections.abc import Callable, Iterable
 from pathlib import Path
 
+from vitrail.base.scratch import scratch_folder
 from vitrail.engines.base import Rendering
 
 RECORD = "record.json"
@@ -52,7 +52,7 @@ class Cache:
         if kept is not None:
             return kept
         self.root.mkdir(parents=True, exist_ok=True)
-        work = Path(tempfile.mkdtemp(dir=self.root, prefix=".work-"))
+        work = scratch_folder(".work-", self.root)
         try:
             made = render(work)
         except BaseException:

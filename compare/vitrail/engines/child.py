@@ -16,6 +16,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import IO
 
+from vitrail.base.stopping import must_stop
+
 KEPT_LINES = 200
 """How many of the last lines that a program said are kept for a message."""
 
@@ -164,9 +166,9 @@ class _Listener:
         self.peak_memory_bytes = max(self.peak_memory_bytes, _resident_peak_bytes(self.process.pid))
         if self.limits.wall_s is not None and time.monotonic() - self.started > self.limits.wall_s:
             self.timed_out = True
-        if self.stop is not None and self.stop.is_set():
-            self.interrupted = True
-        if self.timed_out or (self.stop is not None and self.interrupted):
+        stopped = must_stop() or (self.stop is not None and self.stop.is_set())
+        self.interrupted |= stopped
+        if self.timed_out or stopped or (self.stop is not None and self.interrupted):
             os.killpg(self.process.pid, signal.SIGKILL)
 
     def _pass_on(self) -> None:

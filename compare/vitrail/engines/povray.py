@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import shutil
-import tempfile
 import threading
 import time
 from concurrent.futures import Executor, ThreadPoolExecutor
@@ -12,6 +11,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from vitrail.base.progress import Progress, silent
+from vitrail.base.scratch import scratch
 from vitrail.engines.base import EngineFailure, Rendering
 from vitrail.engines.child import Limits, run_child
 from vitrail.engines.isolate import Allowance, isolate
@@ -48,8 +48,8 @@ class Povray:
         """POV-Ray's version, such as ``3.7.0.10.unofficial``; raises EngineFailure when it is missing or too old."""
         if self._version:
             return self._version
-        with tempfile.TemporaryDirectory(prefix="vitrail-povray-") as folder:
-            isolated = isolate(self.program, ["--version"], Path(folder), Allowance(cpu_s=60))
+        with scratch("vitrail-povray-") as folder:
+            isolated = isolate(self.program, ["--version"], folder, Allowance(cpu_s=60))
             finished = run_child(isolated.command, limits=Limits(wall_s=min(60.0, self._timeout_s)))
         said = finished.stdout + finished.said
         if finished.timed_out:

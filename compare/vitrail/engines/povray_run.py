@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import shutil
 import signal
-import tempfile
 import threading
 import time
 from collections.abc import Iterator
@@ -16,6 +15,7 @@ from pathlib import Path
 import numpy as np
 
 from vitrail.base.progress import Progress
+from vitrail.base.scratch import scratch
 from vitrail.engines.base import EngineFailure
 from vitrail.engines.child import Finished, Limits, run_child
 from vitrail.engines.photon_file import PhotonFileError, fluxes_of, order_photon_file, write_dark_photon
@@ -72,10 +72,10 @@ class Executions:
 
     def outcome(self, run: PovrayRun) -> Outcome:
         """Shoot the photons of a run and put their map in order, then draw every picture with them."""
-        with tempfile.TemporaryDirectory(prefix="vitrail-povray-") as name:
+        with scratch("vitrail-povray-") as folder:
             census, photons = None, None
             if run.photon_sdl is not None:
-                photons = Path(name) / PHOTON_FILE
+                photons = folder / PHOTON_FILE
                 census = self._shot(run, run.photon_sdl, photons)
             # Whoever waits for a slot here holds none.
             with ThreadPoolExecutor(min(self.at_once, len(run.pictures))) as pool:
@@ -106,10 +106,10 @@ class Executions:
     @contextmanager
     def _folder(self, sky: SkyPicture | None) -> Iterator[Path]:
         """A fresh folder with the sky in it, while there is a slot for a program."""
-        with self.slots, tempfile.TemporaryDirectory(prefix="vitrail-povray-") as name:
+        with self.slots, scratch("vitrail-povray-") as folder:
             if sky is not None:
-                _write_sky(Path(name), sky)
-            yield Path(name)
+                _write_sky(folder, sky)
+            yield folder
 
     def _execute(self, sdl: str, width: int, height: int, folder: Path, picture: str) -> Execution:
         """Start POV-Ray once; raises EngineFailure unless it ends well."""
@@ -121,6 +121,8 @@ class Executions:
             on_line=lambda line: self.shown.hear(picture, line, said),
             stop=self.shown.stop,
         )
+        if finished.interrupted:
+            raise KeyboardInterrupt
         output = "\n".join(said)
         _check_ending(finished, output)
         return Execution(finished, output, statistics_of(output), isolated.walls)

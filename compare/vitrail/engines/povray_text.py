@@ -5,12 +5,11 @@ The studies use it to see what POV-Ray does with a scene as a user would write i
 
 from __future__ import annotations
 
-import tempfile
 from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 
+from vitrail.base.scratch import scratch
 from vitrail.engines.base import EngineFailure
 from vitrail.engines.child import Limits, run_child
 from vitrail.engines.povray import Povray
@@ -34,8 +33,7 @@ class TextPicture:
 def render_text(sdl: str, width: int, height: int, *, engine: Povray | None = None, wall_s: float = 600) -> TextPicture:
     """Raises EngineFailure with POV-Ray's own words when there is no picture."""
     povray = engine or Povray()
-    with tempfile.TemporaryDirectory(prefix="vitrail-povray-") as name:
-        folder = Path(name)
+    with scratch("vitrail-povray-") as folder:
         isolated = picture_command(povray.program, sdl, width, height, folder, MEMORY_BYTES)
         finished = run_child(isolated.command, limits=Limits(wall_s=wall_s))
         if finished.interrupted:

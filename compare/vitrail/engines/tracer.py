@@ -2,22 +2,30 @@
 
 from __future__ import annotations
 
+import errno
 import json
 import os
 import shutil
-import tempfile
 from collections.abc import Sequence
+from functools import cache
 from pathlib import Path
 from typing import Any
 
 import vitrail
 from vitrail.base.canonical_json import canonical_json
+from vitrail.base.disk_error import is_full
 from vitrail.base.exit_code import ExitCode
 from vitrail.base.progress import Progress, silent
+from vitrail.base.scratch import scratch
 from vitrail.engines.base import EngineFailure, Rendering
 from vitrail.engines.child import GIBIBYTE, Finished, Limits, run_child
 
 PROGRAM = "vitrail-tracer"
+
+REBUILD = "build it again with `make build`"
+
+NOT_STARTED = (126, 127)
+"""How what goes before the tracer ends where there is nothing that can be executed."""
 
 ADDRESS_ROOM_BYTES = 8 * GIBIBYTE
 """Address space beyond the tracer's memory limit: thread stacks and allocator arenas reserve it without using it."""
@@ -74,11 +82,11 @@ class Tracer:
         the record says so. Raises EngineFailure, and KeyboardInterrupt when nothing was finished.
         """
         out_dir.mkdir(parents=True, exist_ok=True)
-        with tempfile.TemporaryDirectory(dir=out_dir, prefix=".tracer-") as work:
-            scene, image, record = (Path(work) / f"tracer.{kind}" for kind in ("json", "exr", "run.json"))
+        with scratch(".tracer-", out_dir) as work:
+            scene, image, record = (work / f"tracer.{kind}" for kind in ("json", "exr", "run.json"))
             scene.write_text(canonical_json(lowered), encoding="utf-8")
-            views = {view["name"]: Path(work) / "views" / f"{view['name']}.exr" for view in lowered.get("views", ())}
-            options = ["--out", str(image), "--record", str(record), "--progress", *_views_option(Path(work), views)]
+            views = {view["name"]: work / "views" / f"{view['name']}.exr" for view in lowered.get("views", ())}
+            options = ["--out", str(image), "--record", str(record), "--progress", *_views_option(work, views)]
             options += ["--threads", str(threads)] if threads else []
             limits = Limits(memory_bytes=_address_space(lowered), wall_s=self._timeout_s)
             finished = self._run(["render", str(scene), *options], limits, progress)
@@ -94,8 +102,8 @@ class Tracer:
 
     def trace(self, lowered: dict[str, Any], arguments: Sequence[str]) -> dict[str, Any]:
         """Follow one ray; the answer is the tracer's own, with its vertices. Raises EngineFailure."""
-        with tempfile.TemporaryDirectory(prefix="vitrail-trace-") as work:
-            scene = Path(work) / "scene.json"
+        with scratch("vitrail-trace-") as work:
+            scene = work / "scene.json"
             scene.write_text(canonical_json(lowered), encoding="utf-8")
             finished = self._run(["trace", str(scene), *arguments], Limits(wall_s=600))
         if finished.interrupted:
@@ -105,17 +113,28 @@ class Tracer:
     def _run(self, arguments: Sequence[str], limits: Limits, progress: Progress = silent) -> Finished:
         """Run the program; raises EngineFailure unless it ended well or was interrupted."""
         try:
-            finished = run_child([self.program, *arguments], limits=limits, on_line=_listener(progress))
+            finished = run_child(
+                [*_dies_with_us(), self.program, *arguments], limits=limits, on_line=_listener(progress)
+            )
         except OSError as error:
-            remedy = "build it again with `make build`"
-            raise EngineFailure(self.name, f"{self.program} cannot be started ({error.strerror})", remedy) from None
+            raise EngineFailure(self.name, f"{self.program} cannot be started ({error.strerror})", REBUILD) from None
         if finished.code == 0 or finished.interrupted:
             return finished
+        if is_full(finished.said):
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+        if finished.code in NOT_STARTED:
+            raise EngineFailure(self.name, f"{self.program} cannot be started", REBUILD, finished.said)
         if finished.code == ExitCode.SCENE_ERROR:
             remedy = "this is a defect of the lowering or a limit of the tracer; its words follow"
             raise EngineFailure(self.name, "it refused its input", remedy, finished.said)
         remedy = "run it again with fewer photons or threads if memory ran out; its words follow"
         raise EngineFailure(self.name, f"it {finished.ending()}", remedy, finished.said)
+
+
+@cache
+def _dies_with_us() -> tuple[str, ...]:
+    """What goes before the program, so that it does not go on where we are killed."""
+    return ("setpriv", "--pdeathsig=KILL") if shutil.which("setpriv") else ()
 
 
 def _address_space(lowered: dict[str, Any]) -> int:

@@ -102,6 +102,8 @@ def _read(path: Path, _state: tuple[int, ...]) -> ReadMesh:
         raise MeshFileError(str(error)) from None
     if len(triangles) == 0:
         raise MeshFileError("it has no faces")
+    if not _has_area(found.vertices[triangles]):
+        raise MeshFileError("none of its triangles has an area")
     return ReadMesh(found.vertices, triangles, found.normals)
 
 
@@ -110,6 +112,11 @@ def _refuse_beyond(values: np.ndarray, what: str, largest: float) -> None:
         raise ValueError(f"its {what} {int(np.argmin(finite))} is not finite")
     if not (near := (np.abs(values) <= largest).all(axis=1)).all():
         raise ValueError(f"its {what} {int(np.argmin(near))} is farther than {largest:g} m")
+
+
+def _has_area(corners: np.ndarray) -> bool:
+    area = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    return bool((area * area).sum(axis=1).any())
 
 
 def _angle_weighted(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import io
 import re
+import warnings
 from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -37,11 +38,13 @@ def read_ply(path: Path, raw: bytes) -> RawMesh:
     head, body = raw[:start], raw[start:]
     try:
         _refuse_too_many(head, len(body))
-        if re.search(rb"^format\s+ascii", head, re.MULTILINE):
-            head = re.sub(rb"\b(float|float32)\b(?=\s+(x|y|z|nx|ny|nz)\b)", b"double", head)
-            found = _sweep(head, body) or _columns(PlyData.read(io.BytesIO(head + body)))
-        else:
-            found = _columns(_mapped(path, head))
+        # What numpy remarks about a list without numbers is no news to the author of the file.
+        with warnings.catch_warnings(action="ignore"):
+            if re.search(rb"^format\s+ascii", head, re.MULTILINE):
+                head = re.sub(rb"\b(float|float32)\b(?=\s+(x|y|z|nx|ny|nz)\b)", b"double", head)
+                found = _sweep(head, body) or _columns(PlyData.read(io.BytesIO(head + body)))
+            else:
+                found = _columns(_mapped(path, head))
     except (PlyParseError, *_BROKEN) as error:
         raise ValueError(f"it is damaged ({error})") from None
     for name in ("vertex", "face"):

@@ -74,6 +74,14 @@ def read_image(path: str | Path) -> ImageLayers:
         raise ImageError(path, "no such image", "render it, or correct the path")
     if Path(path).stat().st_size > MOST_BYTES:
         raise ImageError(path, f"is a file of more than {MOST_BYTES:.3g} bytes", "write a smaller image")
+    try:
+        return _read(path)
+    except UnicodeDecodeError:
+        # Names in a damaged header, and the words of OpenImageIO about them, need not be text.
+        raise ImageError(path, "is damaged (its header is no text)", "write it again") from None
+
+
+def _read(path: str | Path) -> ImageLayers:
     source = oiio.ImageInput.open(str(path))
     if source is None:
         raise ImageError(path, f"is not a readable image ({oiio.geterror() or 'unknown format'})", "write it again")
@@ -87,7 +95,9 @@ def read_image(path: str | Path) -> ImageLayers:
             raise ImageError(path, f"is damaged or cut off ({source.geterror()})", "write it again")
     finally:
         source.close()
-    groups = _groups(path, np.asarray(pixels, np.float64), list(spec.channelnames))
+    with np.errstate(invalid="ignore"):  # a signalling NaN stays one, for the gates
+        numbers = np.asarray(pixels, np.float64)
+    groups = _groups(path, numbers, list(spec.channelnames))
     half_a, half_b = groups.pop("half_a", None), groups.pop("half_b", None)
     variance = groups.pop("variance", None)
     if variance is None and half_a is not None and half_b is not None:

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import os
-import tempfile
 from pathlib import Path
 
 from vitrail.base.canonical_json import canonical_json
 from vitrail.base.engine_name import EngineName
 from vitrail.base.progress import Progress, silent
+from vitrail.base.scratch import scratch
 from vitrail.base.whole_file import write_whole
 from vitrail.engines.base import Engine, Rendering
 from vitrail.pipeline.job import Job
@@ -21,9 +21,9 @@ def render_image(job: Job, engine: Engine, image: Path, *, threads: int = 0, pro
     NotTranslatable, and KeyboardInterrupt where nothing was finished.
     """
     image.parent.mkdir(parents=True, exist_ok=True)
-    with tempfile.TemporaryDirectory(dir=image.parent, prefix=f".{image.stem}-") as work:
+    with scratch(f".{image.stem}-", image.parent) as work:
         lowered = job.lowered(EngineName(engine.name))
-        made = engine.render(lowered, Path(work), threads=threads, progress=progress)
+        made = engine.render(lowered, work, threads=threads, progress=progress)
         write_whole(image.with_suffix(".run.json"), canonical_json(made.record))
         os.replace(made.image_path, image)
     return Rendering(image, made.record)

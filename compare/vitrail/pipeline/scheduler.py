@@ -26,8 +26,8 @@ def run_each(
     A result depends on its item alone, so that neither ``jobs`` nor the order matters. ``keep`` is called in this
     thread, once at a time. What ``work`` or ``keep`` raises ends everything, after what is under way.
 
-    Python hears Ctrl-C in its main thread only. A single job runs in this thread, where its engine hears it at once;
-    several jobs run in threads of their own: what is under way is waited for and kept, then KeyboardInterrupt goes on.
+    Python hears Ctrl-C in its main thread only. A single job runs in this thread, where its engine hears it at once.
+    Several jobs run in threads of their own: their engines are stopped, and what has finished is kept.
     """
     if jobs == 1:
         for item in items:
@@ -46,6 +46,8 @@ def run_each(
                 for future in wait(under_way, return_when=FIRST_COMPLETED).done:
                     keep(under_way.pop(future), future.result())
         except KeyboardInterrupt:
+            wait(under_way)
             for future, item in under_way.items():
-                keep(item, future.result())
+                if not isinstance(future.exception(), KeyboardInterrupt):
+                    keep(item, future.result())
             raise

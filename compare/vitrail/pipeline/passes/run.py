@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
-import tempfile
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
 from vitrail.base.progress import Progress, silent
+from vitrail.base.scratch import scratch
 from vitrail.engines.base import Rendering
 from vitrail.images.exr import read_image
 from vitrail.judge.half_error import HalfError
@@ -75,9 +75,9 @@ def _with_pass(work: PassesJob, state: Checkpoint, interrupt: Interrupt, progres
     """One more pass; None when it was abandoned, and what it had is dropped."""
     number = state.sums.count + 1
     lowered = lowered_pass(work.lowered, number)
-    with tempfile.TemporaryDirectory(dir=work.out.parent, prefix=f".{work.out.stem}-") as folder:
+    with scratch(f".{work.out.stem}-", work.out.parent) as folder:
         watched: Progress = lambda phase, *rest: progress(f"pass {number} {phase}", *rest)  # noqa: E731
-        made = _rendered(work, lowered, Path(folder), interrupt, watched)
+        made = _rendered(work, lowered, folder, interrupt, watched)
         if made is None or made.interrupted:
             return None
         image = read_image(made.image_path)

@@ -8,12 +8,12 @@ setting, is the reference's own error. No price below that error can be stated.
 from __future__ import annotations
 
 import os
-import tempfile
 import threading
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
+from vitrail.base.scratch import scratch
 from vitrail.engines.tracer import Tracer
 from vitrail.images.exr import ImageLayers, read_image
 from vitrail.pipeline.job import Job, prepare
@@ -73,5 +73,5 @@ class Converged:
 
     def _render(self, job: Job, kept: Path) -> None:
         self.folder.mkdir(parents=True, exist_ok=True)
-        with tempfile.TemporaryDirectory(dir=self.folder, prefix=".rendering-") as work:
-            os.replace(run(job, Tracer(), Path(work)).image_path, kept)
+        with scratch(".rendering-", self.folder) as work:
+            os.replace(run(job, Tracer(), work).image_path, kept)
