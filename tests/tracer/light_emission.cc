@@ -105,6 +105,41 @@ TEST(Illumination, OfADiscOnItsAxisIsTheFormFactor) {
 }
 
 /// Photons shared out among two targets follow their power, and every chart gets at least one.
+/// A lamp much wider than it is far: a disc of radius R at height h brings pi L R^2 / (R^2 + h^2) to a card on its axis
+/// that faces it, and few points say so. The largest answer to one point is 2 pi L, so that no pixel is a spark.
+TEST(Illumination, OfAWideLampNearByIsItsFormFactor) {
+  for (const double radius : {1.5, 30.0, 3000.0}) {
+    const Light lamp{"lamp", AreaLight{DiscShape{{0, 1, 0}, {0, -1, 0}, radius}, false, {1, 1, 1}, {}}};
+    const double truth = kPi * radius * radius / (radius * radius + 1);
+    double sum = 0;
+    for (std::uint32_t i = 0; i < 64; ++i) {
+      const auto u = sobol_2d(Stream{5}, i);
+      const Illumination from = illuminate(lamp, {0, 0, 0}, {0, 1, 0}, unit_point(u[0], u[1]));
+      const double one = from.irradiance.g * from.toward.y;
+      EXPECT_LE(one, 2 * kPi);
+      sum += one / 64;
+    }
+    EXPECT_NEAR(sum / truth, 1, 0.02) << radius;  // 64 points of a net for a smooth integrand
+  }
+}
+
+/// The same of a rectangle above a place beside its middle: 4 corners of arctangents (Wong 1949 for a quarter).
+TEST(Illumination, OfAWideRectangleNearByIsItsFormFactor) {
+  const Light lamp{"lamp", AreaLight{RectangleShape{{2, 1, 0}, {8, 0, 0}, {0, 0, 5}}, false, {1, 1, 1}, {}}};
+  const auto corner = [](double a, double b) {
+    const double p = std::hypot(1, a), q = std::hypot(1, b);
+    return 0.5 * (a / p * std::atan(b / p) + b / q * std::atan(a / q));
+  };
+  const double truth = 2 * (corner(10, 5) + corner(6, 5));
+  double sum = 0;
+  for (std::uint32_t i = 0; i < 4096; ++i) {
+    const auto u = sobol_2d(Stream{5}, i);
+    const Illumination from = illuminate(lamp, {0, 0, 0}, {0, 1, 0}, unit_point(u[0], u[1]));
+    sum += from.irradiance.g * std::abs(from.toward.y) / 4096;
+  }
+  EXPECT_NEAR(sum / truth, 1, 5e-3);
+}
+
 TEST(Charts, ShareOutPhotonsByPower) {
   Scene scene;
   scene.lights.push_back({"sun", DirectionalLight{{0, -1, 0}, {1, 1, 1}, 0}});

@@ -58,16 +58,38 @@ bool contains(const Window& window, Vec3 point) {
   return window.round ? a * a + b * b <= 1 : std::abs(a) <= 1 && std::abs(b) <= 1;
 }
 
+// Whether a place before a lamp sees it so wide that most of its area is far off: its foot is on the lamp, nearer than
+// the lamp's edges are to its middle.
+bool is_near(const Window& lamp, Vec3 foot, double height) {
+  return height > 0 && height < std::min(length(lamp.u), length(lamp.v)) && contains(lamp, foot);
+}
+
+// Draw directions, not places of the lamp: evenly from the cone around its foot that holds the whole lamp. Those that
+// miss it bring nothing. More than half of a wide disc's cone is lamp.
+Illumination illuminate_near(const AreaLight& light, const Lamp& lamp, Vec3 point, double height,
+                             const UnitPoint& sample) {
+  const auto& [window, normal] = lamp;
+  const double half = window.round ? length(window.u) : std::hypot(length(window.u), length(window.v));
+  const double reach = length(point - normal * height - window.center) + half, slant = std::hypot(height, reach);
+  const double one_minus_cos = reach / slant * (reach / (slant + height));
+  const Vec3 direction = in_cone(-normal, surface_frame(-normal), one_minus_cos, sample);
+  const double distance = height / -dot(direction, normal);
+  if (!contains(window, point + direction * distance)) return {direction, distance, {}};
+  return {direction, distance, light.radiance * (2 * M_PI * one_minus_cos)};
+}
+
 }  // namespace
 
 Illumination illuminate(const AreaLight& light, Vec3 point, const UnitPoint& sample) {
-  const auto [window, normal] = lamp_of(light);
+  const Lamp lamp = lamp_of(light);
+  const auto& [window, normal] = lamp;
+  const double height = dot(point - window.center, normal);
   if (light.collimated) {
     // Follow the normal back to the lamp.
-    const double height = dot(point - window.center, normal);
     if (!(height > 0) || !contains(window, point)) return {-normal, 0, {}};
     return {-normal, height, light.irradiance};
   }
+  if (is_near(window, point - normal * height, height)) return illuminate_near(light, lamp, point, height, sample);
   const Vec3 way = window.at(sample) - point;
   const double distance = length(way);
   if (distance == 0) return {};
