@@ -76,12 +76,12 @@ def with_look(older: SceneRun, newer: SceneRun, purchase: Purchase) -> SceneRun:
 
 def _seen_again(older: Observed, newer: Observed, record: SceneResult, purchase: Purchase) -> Observed:
     """An observation in another look: its patch in the scene's own picture, and causes of noise as both looks show."""
-    found, photons = replace(newer, patch=older.patch), number_in(record.settings, "photons", 0.0)
-    # Without photons there is one kind to buy, and nothing to tell apart.
-    if older.view is None or newer.view is None or not photons:
+    found = replace(newer, patch=older.patch)
+    if older.view is None or newer.view is None:
         return found
+    photons = number_in(record.settings, "photons", 0.0)
     taken = next((each.photons for each in reversed(record.purchases) if older.view.name in each.samples), photons)
-    more_photons = purchase.photons / taken
+    more_photons = purchase.photons / taken if taken else 1.0
     more_samples = newer.view.samples / older.view.samples
     before = {each.side: each for each in older.noise}
     noise = tuple(
