@@ -228,5 +228,23 @@ TEST(Beams, LandOnCurvedSurfaces) {
   EXPECT_NEAR(mean / places, 1, 0.005);
 }
 
+/// A pilot tries block after block of a clear ball until it is told that it knows enough.
+TEST(BeamPilot, EndsWhereItKnowsEnough) {
+  SceneBuilder builder;
+  builder.add("floor", PlaneShape{{0, 0, 0}, {0, 1, 0}}, builder.add(diffuse(0.8)));
+  builder.add("ball", SphereShape{{0, 2, 0}, 1}, builder.add(glass(1.5)));
+  builder.scene.lights.push_back({"sun", DirectionalLight{{0, -1, 0}, {1, 1, 1}, 0}});
+  const Intersector intersector(builder.scene);
+  const Targets targets = find_targets(builder.scene, intersector);
+  const PhotonPass pass{{builder.scene, intersector}, {targets.surroundings.center}, targets.surroundings.radius};
+  const Chart chart = make_charts(builder.scene, targets, 20000).front();
+  const BeamLattice lattice(pass, chart, Stream{1});
+  int all = 0, few = 0;
+  EXPECT_GT(lattice.pilot([&](const BeamPilot&) { return ++all > 100; }).landings, 0.9);
+  EXPECT_GT(lattice.pilot([&](const BeamPilot& found) { return ++few > 100 || found.landings > 0; }).landings, 0.9);
+  EXPECT_GE(all, 4);
+  EXPECT_EQ(few, 2);
+}
+
 }  // namespace
 }  // namespace vitrail

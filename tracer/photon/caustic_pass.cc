@@ -49,6 +49,9 @@ constexpr double kPhotonsPerRay = 10;
 // with beams, by 2 to 25 in CPU seconds at equal noise, and those with 1.6 to 4.3 worse off, by 1.3 to 3.5.
 constexpr double kMostLandings = 1.5;
 
+// A pilot ends early where its rays land so many times more often: rays through thick glass have hundreds of branches.
+constexpr double kFarBeyond = 3;
+
 // The rays of a chart if it goes as beams.
 Chart as_rays(const Settings& settings, Chart chart) {
   if (settings.solver == Solver::automatic) {
@@ -67,10 +70,14 @@ LightRoute route_of(const PhotonPass& pass, const Chart& chart) {
     route.because = unfit;
   } else {
     const Chart rays = as_rays(settings, chart);
-    route.pilot = BeamLattice(pass, rays, stream_of(settings.seed, Purpose::kPilot)).pilot();
+    const auto bands = static_cast<double>(pass.scene.bands.size());
+    const bool counts_landings = settings.solver == Solver::automatic;
+    const auto is_far_beyond = [&](const BeamPilot& pilot) {
+      return counts_landings && pilot.landings > kFarBeyond * kMostLandings * bands;
+    };
+    route.pilot = BeamLattice(pass, rays, stream_of(settings.seed, Purpose::kPilot)).pilot(is_far_beyond);
     const bool torn = route.pilot.torn > kMostTorn;
-    const double per_band = route.pilot.landings / static_cast<double>(pass.scene.bands.size());
-    const bool dear = settings.solver == Solver::automatic && per_band > kMostLandings;
+    const bool dear = counts_landings && route.pilot.landings > kMostLandings * bands;
     route.by_beams = !torn && !dear;
     route.because = torn   ? "its rays part"
                     : dear ? "its rays divide too often"

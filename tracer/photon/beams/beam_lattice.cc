@@ -61,20 +61,20 @@ BeamLattice::BeamLattice(const PhotonPass& pass, const Chart& chart, Stream stre
 
 std::uint64_t BeamLattice::blocks() const { return (shape_.cells + kRowsPerBlock - 1) / kRowsPerBlock; }
 
-BeamPilot BeamLattice::pilot() const {
+BeamPilot BeamLattice::pilot(const std::function<bool(const BeamPilot&)>& is_enough) const {
   const std::uint64_t step = std::max<std::uint64_t>(1, blocks() / kBlocksTried);
   double emitted = 0, torn = 0;
   std::size_t landings = 0, rays = 0;
-  for (std::uint64_t b = step / 2; b < blocks(); b += step) {
+  BeamPilot found;
+  for (std::uint64_t b = step / 2; b < blocks() && !is_enough(found); b += step) {
     const BeamBlock block = trace(b);
     emitted += largest_channel(block.ledger.emitted);
     torn += largest_channel(block.remainder.as_photons);
     landings += block.corners.size();
     rays += block.landed_rays;
+    if (emitted > 0) found.torn = torn / emitted;
+    if (rays > 0) found.landings = static_cast<double>(landings) / static_cast<double>(rays);
   }
-  BeamPilot found;
-  if (emitted > 0) found.torn = torn / emitted;
-  if (rays > 0) found.landings = static_cast<double>(landings) / static_cast<double>(rays);
   return found;
 }
 

@@ -6,6 +6,7 @@
 /// light of what is left undecided at the end goes as photons. The error falls as the number of rays: with the square
 /// of the cells.
 
+#include <functional>
 #include <memory>
 
 #include "light/light.h"
@@ -33,8 +34,8 @@ class BeamLattice {
   std::uint64_t blocks() const;
   BeamBlock trace(std::uint64_t block) const;
 
-  /// What a few blocks say of all.
-  BeamPilot pilot() const;
+  /// What a few blocks say of all; fewer, where what the first say is enough.
+  BeamPilot pilot(const std::function<bool(const BeamPilot&)>& is_enough) const;
 
  private:
   const PhotonPass& pass_;
