@@ -8,11 +8,13 @@ import subprocess
 import sys
 import threading
 import time
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
 
-from vitrail.engines.child import Limits, run_child
+from vitrail.base.stopping import forget_stop, stop_threads
+from vitrail.engines.child import Finished, Limits, run_child
 
 pytestmark = pytest.mark.slow
 
@@ -143,3 +145,23 @@ def test_the_memory_is_the_program_s_own_and_not_ours() -> None:
     hungry = run_child(python("import time; x = b'x' * (100 << 20); time.sleep(0.1)"))
     assert 100 << 20 < hungry.peak_memory_bytes < 150 << 20
     assert len(ours) == 300 << 20
+
+
+def test_when_all_shall_stop_other_threads_end_what_they_run_and_start_nothing() -> None:
+    def run() -> Finished | None:
+        try:
+            return run_child(python("import time; time.sleep(60)"))
+        except KeyboardInterrupt:
+            return None
+
+    with ThreadPoolExecutor(1) as pool:
+        running, waiting = pool.submit(run), pool.submit(run)
+        time.sleep(0.5)
+        stop_threads()
+        try:
+            first, second = running.result(20), waiting.result(20)
+        finally:
+            forget_stop()
+    assert first is not None and first.interrupted and first.wall_s < 20
+    assert second is None
+    assert run_child(python("pass")).code == 0

@@ -73,8 +73,10 @@ def run_child(
     ``on_line`` is given every line of its stderr and answers whether it has used it up; the others are kept. Ctrl-C is
     passed on to the program once, so that it may write what is finished, and ends it the second time. Python hears it
     in its main thread only; a program that is run from another is ended by setting ``stop``. Nothing of the program
-    survives this function. Raises OSError when it cannot be started.
+    survives this function. Raises OSError when it cannot be started, and KeyboardInterrupt when all shall stop.
     """
+    if must_stop():
+        raise KeyboardInterrupt
     started = time.monotonic()
     with tempfile.TemporaryFile() as stdout:
         process = subprocess.Popen(
