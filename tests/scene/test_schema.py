@@ -43,7 +43,7 @@ BEYOND_TYPES = {
     "prism_crossing_itself", "prism_of_two_corners", "torus_without_a_hole", "lathe_crossing_itself",
     "lens_too_wide", "lens_faces_cross", "mesh_missing",
     "mesh_of_no_kind", "environment_missing", "mesh_with_a_hole", "mesh_inside_out", "mesh_crossing_itself",
-    "absorption_without_a_number", "mesh_without_faces", "mesh_with_a_loose_face", "mesh_overlaps_mesh",
+    "absorption_without_a_number", "planes_alone", "mesh_without_faces", "mesh_with_a_loose_face", "mesh_overlaps_mesh",
     # Matters of YAML: no JSON value shows them.
     "duplicate_key", "duplicate_section", "number_as_key", "not_a_number", "infinite",
 }  # fmt: skip

@@ -6,7 +6,7 @@ from vitrail.base.vector import Vec, length
 from vitrail.check.findings import Findings
 from vitrail.check.skies import check_sky
 from vitrail.geometry.lamp import place_of
-from vitrail.scene.model import Ambient, Area, Checker, Environment, Light, Material
+from vitrail.scene.model import Ambient, Area, Checker, Environment, Light, Material, Plane
 
 TOUCH = 1e-9
 """A lamp closer to a surface than this share of its distance from the origin counts as on it."""
@@ -27,6 +27,22 @@ def check_lights(findings: Findings) -> None:
         if isinstance(light.emitter, Environment) and light.emitter.file is not None:
             check_sky(findings, index, light.emitter.file)
         _check_place(findings, index, light)
+    if scene.lights:
+        _check_planes(findings)
+
+
+def _check_planes(findings: Findings) -> None:
+    """Photons are aimed at what is finite, and at an infinite plane where it mirrors that: planes alone get none."""
+    scene = findings.scene
+    if not all(isinstance(item.shape, Plane) for item in scene.objects):
+        return
+    lit = [item.name for item in scene.objects if scene.material_of(item).is_diffuse]
+    for index, item in enumerate(scene.objects):
+        if lit and scene.material_of(item).is_specular:
+            light = f"light that reaches `{lit[0]}` by way of `{item.name}`"
+            what = f"{light} is not followed: all objects are infinite planes"
+            remedy = "write it as a box or rectangle, as wide as the light needs"
+            findings.error(what, remedy, "objects", index, "plane")
 
 
 def _glows(material: Material) -> bool:
