@@ -105,3 +105,11 @@ def test_pictures_that_cannot_be_scanned_are_refused():
         scanned(small, small)
     with pytest.raises(MetricError, match="cannot be scanned"):
         scanned(rendered(scene(), 1), rendered(scene()[:80], 1))
+
+
+def test_rounding_alone_is_no_difference_over_noise() -> None:
+    """An even wall without noise, a quarter of a half-float step apart, is white and not red."""
+    wall = np.full((40, 60, 3), 0.5)
+    apart = wall * (1 + 2.0**-13)
+    found = scan(wall, apart, ((wall, wall), (apart, apart)), 0.02)
+    assert np.abs(found.over_noise).max() < 1

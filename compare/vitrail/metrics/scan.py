@@ -37,6 +37,9 @@ FEWEST_BOXES = 12
 FALSE_ALARM_RATE = 1e-3
 """Pictures of equal engines in which a region is named by chance."""
 
+ROUNDING = 2.0**-11
+"""Share of the light by which a half float may be wrong, in all pixels of an even wall alike: that is no difference."""
+
 EDGE_SHARE = 0.4
 """Share of the step over three pixels that a pixel may be wrong by. Halves see edges alike, so no noise shows there: it
 stands for an edge half a pixel elsewhere, also for a box that holds only the rim of what such a step spans."""
@@ -83,7 +86,7 @@ class DifferentRegion:
 
 @dataclass(frozen=True)
 class Scan:
-    """``over_noise`` (height, width): the signed difference of the smallest boxes over its noise.
+    """``over_noise`` (height, width): the signed difference of the smallest boxes over its noise and rounding.
 
     ``threshold`` is what the excess must pass, in standard errors. Regions come largest difference of light first.
     """
@@ -170,7 +173,8 @@ def _mean(values: np.ndarray, edge: int) -> np.ndarray:
 
 
 def _over_noise(difference: np.ndarray, noise: list[np.ndarray], light: np.ndarray, box: int) -> np.ndarray:
-    return _over(_mean(difference, box), _box_error(noise, light, box))
+    error = np.hypot(_box_error(noise, light, box), ROUNDING * np.abs(_mean(light, box)))
+    return _over(_mean(difference, box), error)
 
 
 def _excess(
