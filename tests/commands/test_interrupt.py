@@ -37,7 +37,13 @@ def under_way(tmp_path: Path):  # type: ignore[no-untyped-def]
     environment = {**os.environ, "VITRAIL_TRACER": str(program), "STARTED": str(started)}
     command = [sys.executable, "-m", "vitrail.commands.app", "render", str(SCENE), "--out", str(out / "image.exr")]
     caller = subprocess.Popen(
-        command, env=environment, cwd=ROOT / "compare", stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+        command,
+        env=environment,
+        cwd=ROOT / "compare",
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        preexec_fn=with_usual_signals,
     )
     deadline = time.monotonic() + 30
     while not (started.is_file() and started.read_text()):
@@ -46,6 +52,12 @@ def under_way(tmp_path: Path):  # type: ignore[no-untyped-def]
     yield caller, int(started.read_text()), out
     caller.kill()
     caller.communicate()
+
+
+def with_usual_signals() -> None:
+    """What runs the tests may ignore signals, as `nohup` does, and the program rightly goes on ignoring those."""
+    for order in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT):
+        signal.signal(order, signal.SIG_DFL)
 
 
 def is_gone(pid: int) -> bool:
