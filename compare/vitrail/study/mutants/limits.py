@@ -111,7 +111,7 @@ def is_kept(row: LimitRow) -> bool:
 def _row(limit: Limit, share: float, bench: Path, out: Path, against: tuple[str, ...]) -> LimitRow:
     """One size of one defect: the number that sees it best, against POV-Ray and against the closed form."""
     defect = Defect(limit.name, misread_by_tracer=limit.misreading(share * limit.size)) if share else Defect()
-    request = Request(out=out / "bench", against=against, defect=defect)
+    request = Request(out=out / "bench", against=against, defect=defect, picture_width=1)
     run = compare_scene(SceneTask(limit.scene, load(bench / f"{limit.scene}.yaml"), request))
     (scene,) = judge([run], about_run((), 0)).scenes
     pairs = {side: _clearest(scene, limit.families, f"tracer-vs-{side}") for side in (*against, "truth")}
