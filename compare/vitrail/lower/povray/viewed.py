@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from vitrail.base.changed import changed
+from vitrail.base.changed import unchecked
 from vitrail.base.vector import length
 from vitrail.geometry.world import World
 from vitrail.lower.povray.bodies.normalise import FARTHEST_CAMERA, Normalisation
@@ -16,7 +16,7 @@ from vitrail.plan.views import ObservationView
 
 def seen_by(translation: Translation, view: ObservationView) -> Translation:
     """The same bodies, lights, photons and depth before another camera."""
-    scene = changed(translation.scene, camera=view.camera, image=view.image)
+    scene = unchecked(translation.scene, camera=view.camera, image=view.image)
     return replace(translation, world=translation.world.with_scene(scene))
 
 
