@@ -71,10 +71,13 @@ def test_lost_light_is_read_from_the_run_records_of_both_engines() -> None:
     weak = [{"below": 1e-3, "share": 0.3}, {"below": 1e-4, "share": 0.2}, {"below": 1e-5, "share": 0.1}]
     ledger = {"cut": 0.01, "weak_branches": weak}
     tracer = {"camera_ledger": {}, "views": [{"name": "spot", "camera_ledger": ledger}]}
-    found = [lost_light(tracer, povray, "spot") for povray in ({"adc_bailout": 1e-4}, {"adc_bailout": 5e-5}, None)]
+    found = [
+        lost_light({"tracer": tracer, "povray": povray}, "spot")
+        for povray in ({"adc_bailout": 1e-4}, {"adc_bailout": 5e-5}, {})
+    ]
     assert [each.dropped for each in found] == [0.2, 0.2, 0.0]
     assert {each.cut for each in found} == {0.01}
-    assert lost_light(tracer, {"adc_bailout": 1e-4}, None) == LostLight(least_branch=1e-4)
+    assert lost_light({"tracer": tracer, "povray": {"adc_bailout": 1e-4}}, None) == LostLight(least_branch=1e-4)
 
 
 def test_resolution_allows_what_smoothing_does_to_a_number_and_no_more() -> None:

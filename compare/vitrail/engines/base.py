@@ -27,6 +27,11 @@ class Rendering:
         return bool(self.record.get("interrupted", False))
 
 
+def records_of(made: Mapping[str, Rendering]) -> dict[str, dict[str, Any]]:
+    """The run records of renderings, by engine."""
+    return {side: rendering.record for side, rendering in made.items()}
+
+
 class EngineFailure(Exception):
     """An engine is missing, crashed, ran out of time or memory, or wrote nothing.
 

@@ -52,11 +52,12 @@ class LostLight(Record):
             )
 
 
-def lost_light(tracer: Mapping[str, Any], povray: Mapping[str, Any] | None, view: str | None) -> LostLight:
-    """What run records say of a view, or of the scene's own picture for None; nothing where they do not say."""
+def lost_light(records: Mapping[str, Mapping[str, Any]], view: str | None) -> LostLight:
+    """What run records by engine say of a view, for None of the scene's own picture; nothing where they do not say."""
+    tracer, povray = records.get("tracer", {}), records.get("povray", {})
     of_view: Mapping[str, Any] = next((each for each in tracer.get("views", ()) if each["name"] == view), {})
     ledger = (tracer if view is None else of_view).get("camera_ledger", {})
-    least = (povray or {}).get("adc_bailout", 0.0)
+    least = povray.get("adc_bailout", 0.0)
     # The ledger has decades: the one at the limit or above it loses as much or more.
     weak = sorted((each["below"], each["share"]) for each in ledger.get("weak_branches", ()))
     dropped = next((share for below, share in weak if below >= least), 0.0) if least > 0 else 0.0

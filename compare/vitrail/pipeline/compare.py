@@ -9,7 +9,7 @@ from pathlib import Path
 
 from vitrail.base.changed import changed
 from vitrail.base.progress import Progress, named, silent
-from vitrail.engines.base import EngineFailure, Rendering
+from vitrail.engines.base import EngineFailure, Rendering, records_of
 from vitrail.judge.judgement import Residual
 from vitrail.judge.lost_light import lost_light
 from vitrail.judge.observe import NothingToMeasure
@@ -94,8 +94,7 @@ def compare_scene(task: SceneTask, progress: Progress = silent) -> SceneRun:
 
 def _allowed(lowered: Lowered, made: Mapping[str, Rendering]) -> Residual:
     """What the whole pictures may differ by: what the certificate states, and what the engines lose of the light."""
-    povray = made.get("povray")
-    lost = lost_light(made["tracer"].record, povray.record if povray else None, None)
+    lost = lost_light(records_of(made), None)
     return lambda phenomenon, whole: lowered.certificate.bound(phenomenon, whole) + lost.cut + lost.unstated
 
 

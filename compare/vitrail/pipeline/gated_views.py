@@ -6,10 +6,10 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from vitrail.base.changed import changed
-from vitrail.engines.base import EngineFailure, Rendering
+from vitrail.engines.base import EngineFailure, Rendering, records_of
 from vitrail.images.exr import ImageLayers
 from vitrail.judge.gates import check_gates
-from vitrail.judge.lost_light import LostLight, lost_light
+from vitrail.judge.lost_light import lost_light
 from vitrail.judge.pictures import write_view_pictures
 from vitrail.judge.records import Gate, SceneResult, Status
 from vitrail.judge.shown import Shown, outline_px
@@ -46,7 +46,10 @@ def open_views(
         if not failed:
             sides, difference = write_view_pictures(images, files, place, root, view.name, record.exposure_stops)
             drawn = changed(_view_record(view, scene), images=sides, difference_picture=difference)
-            shown |= dict.fromkeys(view.observations, Shown(view.camera, view.image, images, drawn, _lost(view, made)))
+            shown |= dict.fromkeys(
+                view.observations,
+                Shown(view.camera, view.image, images, drawn, lost_light(records_of(made), view.name)),
+            )
     record = changed(record, gates=(*record.gates, *gates))
     return (ended(record, Status.ENGINE_FAILED, "\n".join(failed)) if failed else record), shown
 
@@ -56,14 +59,10 @@ def read_views(views: Sequence[ObservationView], made: Mapping[str, Rendering]) 
     shown: dict[str, Shown] = {}
     for view in views:
         images = {side: read(side, path) for side, path in view_files(view, made).items()}
-        shown |= dict.fromkeys(view.observations, Shown(view.camera, view.image, images, lost=_lost(view, made)))
+        shown |= dict.fromkeys(
+            view.observations, Shown(view.camera, view.image, images, lost=lost_light(records_of(made), view.name))
+        )
     return shown
-
-
-def _lost(view: ObservationView, made: Mapping[str, Rendering]) -> LostLight:
-    """What the engines show nothing of, as their run records say."""
-    records = {side: rendering.record for side, rendering in made.items()}
-    return lost_light(records.get("tracer", {}), records.get("povray"), view.name)
 
 
 def view_files(view: ObservationView, made: Mapping[str, Rendering]) -> dict[str, Path]:

@@ -9,6 +9,7 @@ import pytest
 
 from tests.lower.povray.real_povray import LOOKING_DOWN, lowered, rendered, scene
 from vitrail.base.phenomenon import Phenomenon
+from vitrail.judge.lost_light import LostLight
 
 pytestmark = pytest.mark.povray
 
@@ -136,3 +137,11 @@ def test_no_path_goes_deeper_than_the_stack_of_povray() -> None:
     assert seen.image.radiance == pytest.approx(1, abs=0.02)
     deepest = [each for each in seen.lowered.certificate.entries if each.unit == "levels"]
     assert "limit of 176" in deepest[0].target_law
+
+
+def test_a_view_adds_to_what_the_certificate_states_of_weak_branches_and_counts_none_twice() -> None:
+    found = lowered(scene(MATERIALS, f"{PIPE}\n{PANEL}", lights=""))
+    (stated,) = [entry.residual for entry in found.certificate.entries if "weights above" in entry.target_law]
+    least = found.adc_bailout
+    assert LostLight(dropped=stated, least_branch=least).unstated == pytest.approx(0, abs=least**1.5)
+    assert LostLight(dropped=2 * stated, least_branch=least).unstated == pytest.approx(stated, rel=1e-3)
